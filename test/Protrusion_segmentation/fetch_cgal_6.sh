@@ -1,0 +1,69 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Unpacks the headers of CGAL 6 from the next Debian release into a folder, beside the installed
+# CGAL, and prints the value for CMake's CGAL_DIR:
+#
+#   cmake -DCGAL_DIR="$(fetch_cgal_6.sh FOLDER)" ...
+#
+# The archive is the one that this machine's own apt sources name. Nothing is installed, and
+# neither the sources nor the package lists of the machine change. What FOLDER already holds is
+# not fetched again.
+
+set -eu
+
+suite=trixie # Debian 13, the release after bookworm: CGAL 6.0.1, header-only
+package=libcgal-dev
+
+fail()
+{
+  echo "fetch_cgal_6.sh: $1" >&2
+  exit 1
+}
+
+[ $# -eq 1 ] || { echo "usage: fetch_cgal_6.sh FOLDER" >&2; exit 2; }
+mkdir -p "$1"
+folder=$(cd "$1" && pwd)
+
+# The folder under lib/ is named after the machine's architecture.
+cgal_dir()
+{
+  for config in "$folder"/usr/lib/*/cmake/CGAL/CGALConfig.cmake
+  do
+    [ ! -f "$config" ] || dirname "$config"
+  done
+}
+
+if [ -z "$(cgal_dir)" ]
+then
+  command -v apt-get > /dev/null && command -v dpkg > /dev/null || fail "needs apt-get and dpkg"
+
+  # An entry of the sources may name the release by its suite or by its code name.
+  uri=$(apt-get indextargets --format '$(COMPONENT) $(REPO_URI) $(RELEASE) $(CODENAME)' \
+        | awk -v release="$(. /etc/os-release && echo "$VERSION_CODENAME")" \
+              '$1 == "main" && ($3 == release || $4 == release) { print $2; exit }')
+  [ -n "$uri" ] || fail "the apt sources of this machine name no Debian archive"
+
+  apt_folder=$folder/apt
+  mkdir -p "$apt_folder/lists/partial" "$apt_folder/cache/archives/partial"
+  keyring=/usr/share/keyrings/debian-archive-keyring.gpg
+  signed=
+  [ ! -f "$keyring" ] || signed="[signed-by=$keyring]"
+  echo "deb $signed $uri $suite main" > "$apt_folder/sources.list"
+
+  in_suite()
+  {
+    apt-get -q -o Dir::Etc::sourcelist="$apt_folder/sources.list" -o Dir::Etc::sourceparts=- \
+            -o Dir::State::Lists="$apt_folder/lists" -o Dir::Cache="$apt_folder/cache" \
+            -o APT::Sandbox::User=root "$@" >&2
+  }
+  in_suite update || fail "cannot read the package lists of $suite from $uri"
+  (cd "$apt_folder" && in_suite download "$package") || fail "cannot download $package of $suite"
+  dpkg -x "$apt_folder/$package"_*.deb "$apt_folder/unpacked"
+  rm -rf "$folder/usr"
+  mv "$apt_folder/unpacked/usr" "$folder/usr" # at once: an interrupted run leaves no half of it
+  rm -rf "$apt_folder"
+fi
+
+[ -n "$(cgal_dir)" ] || fail "$package of $suite holds no CGALConfig.cmake"
+cgal_dir
