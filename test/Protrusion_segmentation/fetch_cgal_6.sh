@@ -36,6 +36,7 @@ cgal_dir()
 
 if [ -z "$(cgal_dir)" ]
 then
+  [ ! -e "$folder/usr" ] || fail "$folder/usr exists and holds no CGAL"
   command -v apt-get > /dev/null && command -v dpkg > /dev/null || fail "needs apt-get and dpkg"
 
   # An entry of the sources may name the release by its suite or by its code name.
@@ -60,7 +61,6 @@ then
   in_suite update || fail "cannot read the package lists of $suite from $uri"
   (cd "$apt_folder" && in_suite download "$package") || fail "cannot download $package of $suite"
   dpkg -x "$apt_folder/$package"_*.deb "$apt_folder/unpacked"
-  rm -rf "$folder/usr"
   mv "$apt_folder/unpacked/usr" "$folder/usr" # at once: an interrupted run leaves no half of it
   rm -rf "$apt_folder"
 fi
