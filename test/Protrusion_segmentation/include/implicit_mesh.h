@@ -91,7 +91,7 @@ private:
 class Marching_tetrahedra
 {
 public:
-  Marching_tetrahedra(const Implicit_body& body, double cell) : m_body(body), m_cell(cell)
+  Marching_tetrahedra(const Implicit_body& body, double cell) : m_cell(cell)
   {
     Point low, high;
     low.fill(std::numeric_limits<double>::max());
@@ -192,7 +192,6 @@ private:
     return found.first->second;
   }
 
-  const Implicit_body& m_body;
   double m_cell;
   Point m_origin;
   std::array<std::size_t, 3> m_size;
@@ -219,8 +218,8 @@ inline void even_out(Test_mesh& mesh, const Implicit_body& body, double cell)
   }
 }
 
-// The surface of `body` in triangles with edges of about the length `cell`. The true part of a
-// face is that of the stick whose surface is nearest to its centroid.
+// The surface of `body` in triangles with edges of about half the length `cell`. The true part of
+// a face is that of the stick whose surface is nearest to its centroid.
 inline Test_mesh implicit_mesh(const Implicit_body& body, double cell)
 {
   Test_mesh mesh = Marching_tetrahedra(body, cell).run();

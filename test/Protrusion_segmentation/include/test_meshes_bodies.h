@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Bodies with protrusions: closed triangle meshes, blended where the parts meet.
+// Bodies with protrusions: closed triangle meshes, blended where the parts meet. By default they
+// have 5,000 to 15,000 faces; `cell` is twice the length of an edge.
 
 #ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_TEST_MESHES_BODIES_H
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_TEST_MESHES_BODIES_H
@@ -22,7 +23,7 @@ inline Point spread_direction(std::size_t i, std::size_t n)
 // A ball of radius 1 with `arms` sticks. Arm i reaches `arm_length` * (1 + i * `length_step`) out
 // of the ball: with a positive step no two arms tie. Parts: 0 the ball, 1 + i the i-th arm.
 inline Test_mesh star(std::size_t arms, double arm_length = 2, double arm_radius = 0.25,
-                      double length_step = 0.04, double cell = 0.14)
+                      double length_step = 0.04, double cell = 0.22)
 {
   std::vector<Stick> sticks = {ball({0, 0, 0}, 1, 0)};
   for(std::size_t i = 0; i < arms; ++i)
@@ -35,7 +36,7 @@ inline Test_mesh star(std::size_t arms, double arm_length = 2, double arm_radius
 
 // A trunk with four legs, and a neck with a head at its +x end.
 // Parts: 0 the trunk, 1 to 4 the legs (one a bit longer than the other), 5 the neck and the head.
-inline Test_mesh creature(double cell = 0.1)
+inline Test_mesh creature(double cell = 0.16)
 {
   std::vector<Stick> sticks = {{{-1, 0, 0}, {1, 0, 0}, 0.55, 0.55, 0}};
   std::size_t part = 1;
@@ -51,9 +52,9 @@ inline Test_mesh creature(double cell = 0.1)
 }
 
 // A ball of radius 1 with two arms along -x and +x that end in palms with `fingers` fingers each:
-// protrusions on protrusions. Parts: 0 the ball, then for each arm the arm with its palm followed
-// by its fingers.
-inline Test_mesh body_with_hands(std::size_t fingers = 3, double cell = 0.09)
+// protrusions on protrusions; up to four fingers have room. Parts: 0 the ball, then for each arm
+// the arm with its palm followed by its fingers.
+inline Test_mesh body_with_hands(std::size_t fingers = 3, double cell = 0.13)
 {
   std::vector<Stick> sticks = {ball({0, 0, 0}, 1, 0)};
   std::size_t part = 1;
@@ -61,11 +62,11 @@ inline Test_mesh body_with_hands(std::size_t fingers = 3, double cell = 0.09)
   {
     const Point palm = {side * 3.2, 0, 0};
     sticks.push_back({{0, 0, 0}, palm, 0.25, 0.25, part});
-    sticks.push_back(ball(palm, 0.5, part++));
+    sticks.push_back(ball(palm, 0.6, part++));
     for(std::size_t i = 0; i < fingers; ++i)
     {
-      const double turn = fingers < 2 ? 0 : -1.1 + 2.2 * double(i) / double(fingers - 1);
-      const double reach = 1.5 + 0.05 * double(i) + (side > 0 ? 0.02 : 0.);
+      const double turn = fingers < 2 ? 0 : -1.2 + 2.4 * double(i) / double(fingers - 1);
+      const double reach = 1.7 + 0.05 * double(i) + (side > 0 ? 0.02 : 0.);
       const Point direction = {side * std::cos(turn), std::sin(turn), 0};
       sticks.push_back({palm, palm + reach * direction, 0.14, 0.12, part++});
     }

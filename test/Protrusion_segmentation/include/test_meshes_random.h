@@ -69,15 +69,16 @@ inline Test_mesh random_surface(std::uint_fast32_t seed)
 {
   Random random(seed);
   const std::uint_fast32_t inner_seed = 1000 + seed;
+  const std::size_t kind = random.index(4);
+  const std::size_t m = 5 + random.index(7); // not inside the calls: arguments have no fixed order
+  const std::size_t n = 4 + random.index(6);
   Test_mesh mesh;
-  switch(random.index(4))
+  switch(kind)
   {
-  case 0: mesh = bumpy_sphere(1 + random.index(2), inner_seed); break;
-  case 1: mesh = jittered(icosphere(1 + random.index(2)), 0.08, inner_seed); break;
-  case 2: mesh = height_field(4 + random.index(7), 5 + random.index(7), inner_seed); break;
-  default:
-    mesh = triangulated(torus(2, 0.8, 5 + random.index(7), 4 + random.index(6)));
-    mesh = jittered(mesh, 0.1, inner_seed);
+  case 0: mesh = bumpy_sphere(1 + m % 2, inner_seed); break;
+  case 1: mesh = jittered(icosphere(1 + m % 2), 0.08, inner_seed); break;
+  case 2: mesh = height_field(m, n, inner_seed); break;
+  default: mesh = jittered(triangulated(torus(2, 0.8, m, n)), 0.1, inner_seed);
   }
   return with_face_order(mesh, random_permutation(mesh.faces.size(), inner_seed));
 }

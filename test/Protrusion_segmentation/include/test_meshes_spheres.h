@@ -32,7 +32,7 @@ inline std::vector<Face> faces_around_vertices(const Test_mesh& mesh)
   return result;
 }
 
-// A vertex at the centroid of each face of a closed mesh, a face for each of its vertices. One part.
+// A vertex at the centroid of each face of a closed mesh, a face for each vertex. One part.
 inline Test_mesh dual(const Test_mesh& mesh)
 {
   Test_mesh result;
