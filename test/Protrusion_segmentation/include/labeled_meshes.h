@@ -51,6 +51,21 @@ Metrics metrics_of(const FaceGraph& mesh, const Labels& segments, const Labels& 
                                     Face_labels<FaceGraph>(mesh, reference).map());
 }
 
+// Squares of side 1 in a row from x = 0 on, numbered from left to right.
+inline Mesh strip_of_squares(std::size_t n)
+{
+  Mesh mesh;
+  std::vector<Vertex> lower, upper;
+  for(std::size_t i = 0; i <= n; ++i)
+  {
+    lower.push_back(mesh.add_vertex(Point(double(i), 0, 0)));
+    upper.push_back(mesh.add_vertex(Point(double(i), 1, 0)));
+  }
+  for(std::size_t i = 0; i < n; ++i)
+    mesh.add_face(lower[i], lower[i + 1], upper[i + 1], upper[i]);
+  return mesh;
+}
+
 inline Mesh icosahedron()
 {
   Mesh mesh;
