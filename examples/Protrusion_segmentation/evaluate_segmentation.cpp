@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// evaluate_segmentation MESH SEGMENTATION REFERENCE...
+//
+// Scores a segmentation against one or more references, for example those made by humans: as a
+// table for people, as JSON for programs.
+
+#include "include/tool_support.h"
+
+#include <CGAL/segmentation_metrics.h>
+
+#include <nlohmann/json.hpp>
+
+#include <iomanip>
+#include <iostream>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+using Metrics = CGAL::Protrusion_segmentation::Segmentation_metrics;
+using Json = nlohmann::ordered_json;
+
+struct Command_line
+{
+  std::string mesh;
+  std::string segmentation;
+  std::vector<std::string> references;
+  std::string json; // "-" is the standard output
+};
+
+// One column of the table and one entry of the JSON objects.
+struct Score
+{
+  const char* name;
+  const char* heading;
+  std::optional<double> value;
+};
+
+std::vector<Score> scores(const Metrics& metrics)
+{
+  const auto& hamming = metrics.hamming_distance;
+  const auto& consistency = metrics.consistency_error;
+  return {{"rand_index_error", "RI", metrics.rand_index_error},
+          {"hamming_distance", "HD", hamming.distance},
+          {"missing_rate", "Rm", hamming.missing_rate},
+          {"false_alarm_rate", "Rf", hamming.false_alarm_rate},
+          {"cut_discrepancy", "CD", metrics.cut_discrepancy},
+          {"global_consistency_error", "GCE", consistency.global},
+          {"local_consistency_error", "LCE", consistency.local},
+          {"global_consistency_error_by_area", "GCEa", consistency.global_by_area},
+          {"local_consistency_error_by_area", "LCEa", consistency.local_by_area}};
+}
+
+Json as_json(const std::vector<std::string>& references, const std::vector<Metrics>& metrics)
+{
+  Json array = Json::array();
+  for(std::size_t i = 0; i < references.size(); ++i)
+  {
+    Json object = {{"reference", references[i]}};
+    for(const Score& score : scores(metrics[i]))
+      object[score.name] = score.value ? Json(*score.value) : Json(nullptr);
+    array.push_back(object);
+  }
+  return array;
+}
+
+std::string row(const std::vector<Score>& scores, const std::string& reference)
+{
+  std::ostringstream out;
+  for(const Score& score : scores)
+  {
+    out << std::setw(8);
+    if(score.value)
+      out << std::fixed << std::setprecision(4) << *score.value;
+    else
+      out << "-";
+  }
+  out << "  " << reference << "\n";
+  return out.str();
+}
+
+// Means over the references where a score has a value, as the benchmark takes them.
+std::vector<Score> mean_scores(const std::vector<Metrics>& metrics)
+{
+  std::vector<Score> means = scores(metrics.front());
+  for(std::size_t s = 0; s < means.size(); ++s)
+  {
+    double sum = 0;
+    int count = 0;
+    for(const Metrics& m : metrics)
+      if(const std::optional<double> value = scores(m)[s].value)
+      {
+        sum += *value;
+        ++count;
+      }
+    means[s].value = count > 0 ? std::optional<double>(sum / count) : std::nullopt;
+  }
+  return means;
+}
+
+void print_table(const std::vector<std::string>& references, const std::vector<Metrics>& metrics)
+{
+  std::string headings;
+  for(const Score& score : scores(metrics.front()))
+    headings += std::string(8 - std::string(score.heading).size(), ' ') + score.heading;
+  std::cout << headings << "  reference\n";
+  for(std::size_t i = 0; i < references.size(); ++i)
+    std::cout << row(scores(metrics[i]), references[i]);
+  if(references.size() > 1)
+    std::cout << row(mean_scores(metrics), "mean");
+  std::cout << "Smaller is better. RI Rand index error, HD Hamming distance, Rm missing rate,\n"
+               "Rf false-alarm rate, CD cut discrepancy (- where a side has no border),\n"
+               "GCE and LCE global and local consistency error, GCEa and LCEa by area.\n";
+}
+
+void evaluate(const Command_line& command_line)
+{
+  tool::Mesh mesh = tool::read_mesh(command_line.mesh);
+  const tool::Segment_ids segments = tool::read_segmentation(command_line.segmentation, mesh);
+  std::vector<Metrics> metrics;
+  for(const std::string& reference : command_line.references)
+  {
+    tool::Segment_ids reference_ids = tool::read_segmentation(reference, mesh);
+    metrics.push_back(CGAL::segmentation_metrics(mesh, segments, reference_ids));
+    mesh.remove_property_map(reference_ids);
+  }
+
+  const auto write_json = [&](std::ostream& out)
+  {
+    // A name that is no UTF-8 must not keep the scores from being written.
+    out << as_json(command_line.references, metrics)
+             .dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  };
+  if(command_line.json.empty())
+    print_table(command_line.references, metrics);
+  else if(command_line.json == "-")
+    write_json(std::cout);
+  else
+    tool::write_output(command_line.json, write_json);
+  tool::finish_standard_output();
+}
+
+int main(int argc, char** argv)
+{
+  Command_line command_line;
+  CLI::App app("Scores a segmentation of a mesh against reference segmentations.",
+               "evaluate_segmentation");
+  app.add_option("mesh", command_line.mesh, "mesh: OFF, OBJ, PLY, STL, TS")
+    ->required()->type_name("MESH");
+  app.add_option("segmentation", command_line.segmentation, "its segmentation: one id a line")
+    ->required()->type_name("SEGMENTATION");
+  app.add_option("references", command_line.references, "reference segmentations")
+    ->required()->type_name("REFERENCE");
+  app.add_option("--json", command_line.json,
+                 "write JSON to FILE, or to the standard output, instead of the table")
+    ->expected(0, 1)->default_str("-")->type_name("[FILE]");
+  return tool::main(app, argc, argv, [&]() { evaluate(command_line); });
+}
