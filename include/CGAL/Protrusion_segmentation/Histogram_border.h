@@ -1,0 +1,112 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_HISTOGRAM_BORDER_H
+#define CGAL_PROTRUSION_SEGMENTATION_HISTOGRAM_BORDER_H
+
+#include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_segmentation.h>
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationBorders
+
+The border method of the paper, Section III.D, in its overall flow, Section III.A.
+
+From a protrusion tip to the farthest face, the distances are divided into 100 slots. The number of faces
+in each slot is the distance histogram, the diameter of the surface's section in each slot the
+sectional-diameter histogram. The border lies where the diameter grows most, if the distance histogram
+changes there too. Tips without such a border are dropped. As long as there are too few segments, tips are
+selected anew in the segment of largest area.
+
+\cgalModels `ProtrusionBorder`
+*/
+class Histogram_border
+{
+public:
+  /// \name Options
+  /// Each option has a getter and a setter that returns `*this`.
+  /// @{
+
+  /// Least prominence of a border: the natural logarithm of the ratio of the diameters behind and at the
+  /// border. Above 0, default 0.3. If k segments were asked for and not found, it is halved until
+  /// `least_prominence()`.
+  double minimum_prominence() const { return m_minimum_prominence; }
+  Histogram_border& minimum_prominence(double value)
+  {
+    if (!(value > 0))
+      throw std::invalid_argument("Histogram_border: minimum_prominence is not positive");
+    m_minimum_prominence = value;
+    return *this;
+  }
+
+  /// Whether a border must lie in a candidate interval of the distance histogram, as in Section III.D.3.
+  /// Default `true`.
+  bool uses_candidate_intervals() const { return m_uses_candidate_intervals; }
+  Histogram_border& uses_candidate_intervals(bool value)
+  {
+    m_uses_candidate_intervals = value;
+    return *this;
+  }
+  /// @}
+
+  /// \name Constants
+  /// The paper gives no values; these were chosen on half of the development models of the Princeton
+  /// Segmentation Benchmark.
+  /// @{
+
+  /// Over how many slots the growth of the diameter is measured.
+  static constexpr std::size_t inflection_width() { return 5; }
+  /// Slots before it are the cap of the protrusion, where the diameter grows from nothing.
+  static constexpr std::size_t first_slot() { return 12; }
+  /// Slots by which candidate intervals reach beyond the change of the distance histogram.
+  static constexpr std::size_t interval_margin() { return 5; }
+  /// Where the halving of the least prominence ends.
+  static constexpr double least_prominence() { return 0.01; }
+  /// Tips selected in one segment when the number of segments is not given.
+  static constexpr std::size_t maximum_number_of_tips() { return 12; }
+  /// @}
+
+#ifndef DOXYGEN_RUNNING
+  // Segments `surface`, into `number_of_segments` or while there are evident protrusions, or cuts off the
+  // protrusions of given tips.
+  template <typename Distance, typename Visitor>
+  internal::Segment_forest segment(const Surface_part& surface,
+                                   const Distance& distance,
+                                   std::optional<std::size_t> number_of_segments,
+                                   internal::Monitor<Visitor>& monitor) const
+  {
+    internal::Histogram_segmentation<Distance, Histogram_border, Visitor> segmentation(surface, distance,
+                                                                                       *this, monitor);
+    return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
+                              : segmentation.with_evident_protrusions();
+  }
+  template <typename Distance, typename Visitor>
+  internal::Segment_forest segment_from_tips(const Surface_part& surface,
+                                             const Distance& distance,
+                                             const std::vector<Surface_part::Index>& tips,
+                                             internal::Monitor<Visitor>& monitor) const
+  {
+    return internal::Histogram_segmentation<Distance, Histogram_border, Visitor>(surface, distance, *this,
+                                                                                 monitor)
+      .from_tips(tips);
+  }
+#endif
+
+private:
+  double m_minimum_prominence = 0.3;
+  bool m_uses_candidate_intervals = true;
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_HISTOGRAM_BORDER_H

@@ -1,0 +1,137 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_LANDMARK_GEODESIC_DISTANCE_H
+#define CGAL_PROTRUSION_SEGMENTATION_LANDMARK_GEODESIC_DISTANCE_H
+
+#include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/select_landmarks.h>
+#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationDistances
+
+The landmark-based geodesic distance LGD of Section III.B.3.
+
+Landmarks are faces drawn at random. The distance from face \f$ i \f$ to face \f$ j \f$ is the geodesic
+distance from \f$ i \f$ to its nearest landmark \f$ l(i) \f$ plus the geodesic distance from \f$ l(i) \f$
+to \f$ j \f$ (and 0 for \f$ i = j \f$). The sums of eq. (1) then need one shortest path computation per
+landmark in place of one per face.
+
+It is here for the sake of the paper: `Geodesic_distance` finds the exact face in less time. Since the
+distance to the nearest landmark is counted once for every face \f$ j \f$, the face of eq. (1) drifts into
+the largest gap between the landmarks.
+
+\cgalModels `ProtrusionDistance`
+*/
+class Landmark_geodesic_distance
+{
+public:
+  /// the distances on one part
+  /// \cgalModels `ProtrusionDistancesOnPart`
+  class On_part
+  {
+  public:
+    On_part(const Surface_part& part, std::size_t number_of_landmarks, unsigned int random_seed)
+      : m_shortest_distances(part),
+        m_to_landmark(part.number_of_faces(), internal::Shortest_distances::unreachable()),
+        m_nearest(part.number_of_faces(), 0)
+    {
+      visit_landmarks(internal::select_landmarks(part.number_of_faces(), number_of_landmarks,
+                                                 random_seed));
+    }
+
+    void operator()(Surface_part::Index source, std::vector<double>& distances)
+    {
+      m_shortest_distances(m_nearest[source], distances);
+      for (double& d : distances)
+        d += m_to_landmark[source];
+      distances[source] = 0;
+    }
+
+    /// the face of eq. (1)
+    Surface_part::Index face_of_largest_sum() const { return m_face_of_largest_sum; }
+    std::size_t number_of_runs() const { return m_shortest_distances.number_of_runs(); }
+
+  private:
+    // Steps 2 to 4: the distances from each landmark, the nearest landmark of every face, the sums.
+    void visit_landmarks(const std::vector<Surface_part::Index>& landmarks)
+    {
+      using Index = Surface_part::Index;
+      const Index n = static_cast<Index>(m_nearest.size());
+      std::vector<double> from_landmark;
+      std::vector<double> sum_of_nearest(n, 0);
+      for (Index landmark : landmarks)
+      {
+        m_shortest_distances(landmark, from_landmark);
+        const double sum = internal::distance_sum(from_landmark);
+        for (Index f = 0; f < n; ++f)
+          if (from_landmark[f] < m_to_landmark[f])
+          {
+            m_to_landmark[f] = from_landmark[f];
+            m_nearest[f] = landmark;
+            sum_of_nearest[f] = sum;
+          }
+      }
+      for (Index f = 0; f < n; ++f)
+        sum_of_nearest[f] += n * m_to_landmark[f];
+      m_face_of_largest_sum = static_cast<Index>(
+        std::max_element(sum_of_nearest.begin(), sum_of_nearest.end()) - sum_of_nearest.begin());
+    }
+
+    internal::Shortest_distances m_shortest_distances;
+    std::vector<double> m_to_landmark;
+    std::vector<Surface_part::Index> m_nearest;
+    Surface_part::Index m_face_of_largest_sum = 0;
+  };
+
+  /// the share of the faces that the paper settles on, LGD(5)
+  static constexpr double default_fraction() { return 0.05; }
+
+  /// `fraction` of the faces of each part are landmarks, at least one.
+  /// \throw std::invalid_argument unless 0 < `fraction` <= 1
+  explicit Landmark_geodesic_distance(double fraction = default_fraction()) : m_fraction(fraction)
+  {
+    if (!(fraction > 0 && fraction <= 1))
+      throw std::invalid_argument("Landmark_geodesic_distance: fraction is not in (0, 1]");
+  }
+
+  /// `number` landmarks, or all faces of a part that has fewer
+  /// \throw std::invalid_argument if `number` is 0
+  static Landmark_geodesic_distance with_number_of_landmarks(std::size_t number)
+  {
+    if (number == 0)
+      throw std::invalid_argument("Landmark_geodesic_distance: number of landmarks is 0");
+    Landmark_geodesic_distance distance;
+    distance.m_number = number;
+    return distance;
+  }
+
+  /// prepares the distances on a connected part, one shortest path computation per landmark. `part` must
+  /// outlive the result.
+  On_part on(const Surface_part& part, unsigned int random_seed) const
+  {
+    const double share = std::ceil(m_fraction * part.number_of_faces());
+    return On_part(part, m_number > 0 ? m_number : static_cast<std::size_t>(share), random_seed);
+  }
+
+private:
+  double m_fraction;
+  std::size_t m_number = 0; // 0: by fraction
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_LANDMARK_GEODESIC_DISTANCE_H

@@ -1,0 +1,188 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_SURFACE_PART_H
+#define CGAL_PROTRUSION_SEGMENTATION_SURFACE_PART_H
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/range/iterator_range.hpp>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+A surface, or a piece of one, as index arrays: what distances and border methods work on.
+
+The faces of a part are numbered from 0, so are its vertices and the corners of its faces: the corners
+of face `f` are `first_corner(f)` to `first_corner(f + 1) - 1`, in the orientation of the mesh. The edge
+of a corner leads from its vertex to the vertex of the next corner of the same face.
+
+The face dual graph (Section III.B of the paper) has the faces as nodes and an arc in both directions
+for every edge that two different faces share. The length of an arc is the distance between the
+centroids of the two faces.
+
+The coordinates are those of the input mesh, moved and scaled by a power of two so that the whole
+surface fits into \f$ [-1, 1]^3 \f$: neither tiny nor huge coordinates can under- or overflow.
+
+The memory is about 110 bytes per triangle.
+*/
+class Surface_part
+{
+public:
+  /// an index of a face, a vertex or a corner
+  using Index = std::uint32_t;
+  using Kernel = Simple_cartesian<double>;
+  using Point_3 = Kernel::Point_3;
+  using Vector_3 = Kernel::Vector_3;
+
+  /// what the dual graph stores for an arc
+  struct Arc
+  {
+    double length;
+  };
+
+  /// a model of `boost::VertexListGraph` and `boost::IncidenceGraph`
+  using Dual_graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, Arc,
+                                                        boost::no_property, Index, Index>;
+
+  /// stands for the face beyond a border edge
+  static constexpr Index no_face() { return (std::numeric_limits<Index>::max)(); }
+
+  Surface_part() = default;
+
+  /// makes a surface from its arrays. `corner_neighbors` holds for each corner the face beyond its edge,
+  /// or `no_face()`. Linear time.
+  Surface_part(std::vector<Point_3> points,
+               std::vector<Index> corner_begin,
+               std::vector<Index> corner_vertices,
+               std::vector<Index> corner_neighbors)
+    : m_points(std::move(points)),
+      m_corner_begin(std::move(corner_begin)),
+      m_corner_vertices(std::move(corner_vertices)),
+      m_corner_neighbors(std::move(corner_neighbors))
+  {
+    measure_faces();
+    build_dual_graph();
+  }
+
+  Index number_of_faces() const { return static_cast<Index>(m_areas.size()); }
+  Index number_of_vertices() const { return static_cast<Index>(m_points.size()); }
+  Index number_of_corners() const { return static_cast<Index>(m_corner_vertices.size()); }
+
+  const Point_3& point(Index vertex) const { return m_points[vertex]; }
+  Index first_corner(Index face) const { return m_corner_begin[face]; }
+  Index vertex(Index corner) const { return m_corner_vertices[corner]; }
+  /// the face beyond the edge of a corner, or `no_face()`
+  Index neighbor(Index corner) const { return m_corner_neighbors[corner]; }
+  /// the next corner of `face` in its orientation
+  Index next_corner(Index face, Index corner) const
+  {
+    return (corner + 1 == first_corner(face + 1)) ? first_corner(face) : corner + 1;
+  }
+  double edge_length(Index face, Index corner) const
+  {
+    return std::sqrt(squared_distance(point(vertex(corner)), point(vertex(next_corner(face, corner)))));
+  }
+
+  /// the centre of gravity of a face
+  const Point_3& centroid(Index face) const { return m_centroids[face]; }
+  double area(Index face) const { return m_areas[face]; }
+  /// the sum of the areas of all faces
+  double area() const { return m_area; }
+
+  /// the face dual graph
+  const Dual_graph& dual_graph() const { return m_graph; }
+
+  /// half the sum of the vector products of consecutive corners: normal to `face`, as long as its area
+  Vector_3 area_vector(Index face) const
+  {
+    const Index first = first_corner(face);
+    const Point_3& origin = point(vertex(first));
+    Vector_3 sum(0, 0, 0);
+    for (Index c = first + 1; c + 1 < first_corner(face + 1); ++c)
+      sum += cross_product(point(vertex(c)) - origin, point(vertex(c + 1)) - origin);
+    return sum / 2;
+  }
+
+private:
+  // centroid of the fan of triangles around the first corner, each triangle signed by the face normal,
+  // which is right for every simple planar polygon, convex or not
+  Point_3 fan_centroid(Index face, const Vector_3& normal, double area) const
+  {
+    const Index first = first_corner(face);
+    const Index end = first_corner(face + 1);
+    const Point_3& origin = point(vertex(first));
+    Vector_3 sum(0, 0, 0);
+    if (end - first > 3 && area > 0)
+    {
+      for (Index c = first + 1; c + 1 < end; ++c)
+      {
+        const Vector_3 u = point(vertex(c)) - origin;
+        const Vector_3 v = point(vertex(c + 1)) - origin;
+        sum += (u + v) * ((cross_product(u, v) * normal) / (6 * area * area));
+      }
+      return origin + sum;
+    }
+    for (Index c = first; c < end; ++c)
+      sum += point(vertex(c)) - origin;
+    return origin + sum / static_cast<double>(end - first);
+  }
+
+  void measure_faces()
+  {
+    const std::size_t n = m_corner_begin.size() - 1;
+    m_centroids.reserve(n);
+    m_areas.reserve(n);
+    for (Index f = 0; f < n; ++f)
+    {
+      const Vector_3 normal = area_vector(f);
+      const double area = std::sqrt(normal.squared_length());
+      m_areas.push_back(area);
+      m_centroids.push_back(fan_centroid(f, normal, area));
+      m_area += area;
+    }
+  }
+
+  void build_dual_graph()
+  {
+    std::vector<std::pair<Index, Index>> arcs;
+    std::vector<Arc> properties;
+    arcs.reserve(number_of_corners());
+    properties.reserve(number_of_corners());
+    for (Index f = 0; f < number_of_faces(); ++f)
+      for (Index c = first_corner(f); c < first_corner(f + 1); ++c)
+        if (neighbor(c) != no_face())
+        {
+          arcs.emplace_back(f, neighbor(c));
+          properties.push_back({std::sqrt(squared_distance(centroid(f), centroid(neighbor(c))))});
+        }
+    m_graph = Dual_graph(boost::edges_are_sorted, arcs.begin(), arcs.end(), properties.begin(),
+                         number_of_faces(), static_cast<Index>(arcs.size()));
+  }
+
+  std::vector<Point_3> m_points;
+  std::vector<Index> m_corner_begin = std::vector<Index>(1, 0);
+  std::vector<Index> m_corner_vertices;
+  std::vector<Index> m_corner_neighbors;
+  std::vector<Point_3> m_centroids;
+  std::vector<double> m_areas;
+  double m_area = 0;
+  Dual_graph m_graph;
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_SURFACE_PART_H

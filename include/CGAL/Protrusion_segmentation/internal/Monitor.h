@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MONITOR_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MONITOR_H
+
+#include <CGAL/Protrusion_segmentation/Default_visitor.h>
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Thrown when a visitor stops a segmentation; caught by the public functions.
+struct Cancelled {};
+
+// What the stages of one call share: the visitor, the seed and the unit of length.
+template <typename Visitor>
+class Monitor
+{
+public:
+  Monitor(Visitor& visitor, unsigned int random_seed, double unit)
+    : m_visitor(visitor), m_random_seed(random_seed), m_unit(unit)
+  {}
+
+  Visitor& visitor() { return m_visitor; }
+  unsigned int random_seed() const { return m_random_seed; }
+  // the length in the mesh of a length 1 of the surface
+  double unit() const { return m_unit; }
+
+  void check()
+  {
+    if (!m_visitor.go_further())
+      throw Cancelled();
+  }
+  void progress(std::size_t found, std::size_t requested)
+  {
+    m_visitor.progress(requested == 0 ? 0. : static_cast<double>(found) / static_cast<double>(requested));
+    check();
+  }
+
+private:
+  Visitor& m_visitor;
+  unsigned int m_random_seed;
+  double m_unit;
+};
+
+// Tells the visitor of the begin and, however the scope is left, of the end of a stage.
+template <typename Visitor>
+class Stage_scope
+{
+public:
+  Stage_scope(Visitor& visitor, Stage stage) : m_visitor(visitor), m_stage(stage)
+  {
+    m_visitor.stage_starts(stage);
+  }
+  ~Stage_scope() { m_visitor.stage_ends(m_stage); }
+  Stage_scope(const Stage_scope&) = delete;
+  Stage_scope& operator=(const Stage_scope&) = delete;
+
+private:
+  Visitor& m_visitor;
+  Stage m_stage;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MONITOR_H

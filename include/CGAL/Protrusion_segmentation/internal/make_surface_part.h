@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MAKE_SURFACE_PART_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MAKE_SURFACE_PART_H
+
+#include <CGAL/Protrusion_segmentation/Surface_part.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A mesh as index arrays, and the factor that turns its lengths back into those of the mesh.
+struct Surface_of_mesh
+{
+  Surface_part surface;
+  double unit = 1;
+};
+
+// Moves the box of the points to the origin and scales it by a power of two to [-1, 1]^3; returns the
+// factor back. A power of two changes no digit, so that a mesh scaled by two gives the same numbers.
+// The first scaling keeps the subtraction of coordinates near the largest double from overflowing.
+inline double normalize(std::vector<std::array<double, 3>>& points)
+{
+  int exponent = 0;
+  const auto scale_by_largest = [&points, &exponent]()
+  {
+    double largest = 0;
+    for (const std::array<double, 3>& p : points)
+      for (double x : p)
+        largest = (std::max)(largest, std::abs(x));
+    int e = 0;
+    std::frexp(largest, &e);
+    for (std::array<double, 3>& p : points)
+      for (double& x : p)
+        x = std::ldexp(x, -e);
+    exponent += e;
+  };
+
+  scale_by_largest();
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    double low = 1, high = -1;
+    for (const std::array<double, 3>& p : points)
+    {
+      low = (std::min)(low, p[i]);
+      high = (std::max)(high, p[i]);
+    }
+    for (std::array<double, 3>& p : points)
+      p[i] -= (low + high) / 2;
+  }
+  scale_by_largest();
+  return std::ldexp(1., exponent);
+}
+
+// Numbers the vertices in the order of `vertices(mesh)` and returns their coordinates.
+template <typename FaceGraph, typename VertexPointMap, typename VertexNumbers>
+std::vector<std::array<double, 3>> read_points(const FaceGraph& mesh,
+                                               VertexPointMap vpm,
+                                               VertexNumbers& numbers)
+{
+  std::vector<std::array<double, 3>> points;
+  for (const auto v : vertices(mesh))
+  {
+    const auto& p = get(vpm, v);
+    const std::array<double, 3> xyz = {CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+                                       CGAL::to_double(p.z())};
+    for (double x : xyz)
+      if (!std::isfinite(x))
+        throw std::invalid_argument("tmesh: vertex " + std::to_string(points.size()) +
+                                    " has a coordinate that is not finite");
+    put(numbers, v, static_cast<Surface_part::Index>(points.size()));
+    points.push_back(xyz);
+  }
+  return points;
+}
+
+// Builds the index arrays of a mesh: faces in the order of `faces(mesh)`. Linear time.
+template <typename FaceGraph, typename NamedParameters>
+Surface_of_mesh make_surface_part(const FaceGraph& mesh, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Index = Surface_part::Index;
+
+  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                    get_const_property_map(CGAL::vertex_point, mesh));
+  auto vertex_numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
+  auto face_numbers = get(CGAL::dynamic_face_property_t<Index>(), mesh);
+
+  std::vector<std::array<double, 3>> points = read_points(mesh, vpm, vertex_numbers);
+  Index number_of_faces = 0;
+  std::size_t number_of_corners = 0;
+  for (const auto f : faces(mesh))
+  {
+    put(face_numbers, f, number_of_faces++);
+    number_of_corners += halfedges_around_face(halfedge(f, mesh), mesh).size();
+  }
+  if (number_of_corners >= Surface_part::no_face())
+    throw std::length_error("tmesh: more corners of faces than a 32 bit index can number");
+
+  std::vector<Index> corner_begin, corner_vertices, corner_neighbors;
+  corner_begin.reserve(number_of_faces + 1);
+  corner_vertices.reserve(number_of_corners);
+  corner_neighbors.reserve(number_of_corners);
+  const auto null_face = boost::graph_traits<FaceGraph>::null_face();
+  for (const auto f : faces(mesh))
+  {
+    corner_begin.push_back(static_cast<Index>(corner_vertices.size()));
+    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
+    {
+      const auto g = face(opposite(h, mesh), mesh);
+      corner_vertices.push_back(get(vertex_numbers, source(h, mesh)));
+      corner_neighbors.push_back(g == null_face || g == f ? Surface_part::no_face()
+                                                          : get(face_numbers, g));
+    }
+  }
+  corner_begin.push_back(static_cast<Index>(corner_vertices.size()));
+
+  Surface_of_mesh result;
+  result.unit = normalize(points);
+  std::vector<Surface_part::Point_3> cartesian;
+  cartesian.reserve(points.size());
+  for (const std::array<double, 3>& p : points)
+    cartesian.emplace_back(p[0], p[1], p[2]);
+  result.surface = Surface_part(std::move(cartesian), std::move(corner_begin),
+                                std::move(corner_vertices), std::move(corner_neighbors));
+  return result;
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MAKE_SURFACE_PART_H

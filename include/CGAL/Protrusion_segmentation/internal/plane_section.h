@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_PLANE_SECTION_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_PLANE_SECTION_H
+
+#include <CGAL/Protrusion_segmentation/Surface_part.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/convex_hull_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A plane by a point of it and its normal, which need not have unit length.
+struct Section_plane
+{
+  Surface_part::Point_3 origin;
+  Surface_part::Vector_3 normal;
+
+  // A vertex on the plane counts as above, so that every edge is crossed or not and no case is degenerate.
+  bool is_above(const Surface_part::Point_3& p) const { return (p - origin) * normal >= 0; }
+
+  Surface_part::Point_3 intersection(const Surface_part::Point_3& p, const Surface_part::Point_3& q) const
+  {
+    const double a = std::abs((p - origin) * normal);
+    const double b = std::abs((q - origin) * normal);
+    return (a + b > 0) ? p + (q - p) * (a / (a + b)) : p;
+  }
+};
+
+// The largest distance between two points of a plane with the given normal: convex hull, then the
+// antipodal pairs of its vertices. O(n log n).
+inline double planar_diameter(const std::vector<Surface_part::Point_3>& points,
+                              const Surface_part::Vector_3& normal)
+{
+  using Point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
+  using Vector_3 = Surface_part::Vector_3;
+  const bool along_x = std::abs(normal.x()) <= (std::min)(std::abs(normal.y()), std::abs(normal.z()));
+  Vector_3 u = cross_product(normal, along_x ? Vector_3(1, 0, 0)
+                             : std::abs(normal.y()) <= std::abs(normal.z()) ? Vector_3(0, 1, 0)
+                                                                            : Vector_3(0, 0, 1));
+  Vector_3 v = cross_product(normal, u);
+  if (points.empty() || !(v.squared_length() > 0))
+    return 0;
+  u = u / std::sqrt(u.squared_length());
+  v = v / std::sqrt(v.squared_length());
+  std::vector<Point_2> projected, hull;
+  projected.reserve(points.size());
+  for (const Surface_part::Point_3& p : points)
+    projected.emplace_back((p - points.front()) * u, (p - points.front()) * v);
+  convex_hull_2(projected.begin(), projected.end(), std::back_inserter(hull));
+
+  double largest = 0;
+  const std::size_t n = hull.size();
+  for (std::size_t i = 0, j = 1 % n; i < n; ++i)
+  {
+    // walk on while the next hull vertex is farther from the edge that begins at vertex i
+    const auto edge = hull[(i + 1) % n] - hull[i];
+    while (n > 2 && determinant(edge, hull[(j + 1) % n] - hull[j]) > 0)
+      j = (j + 1) % n;
+    largest = (std::max)({largest, squared_distance(hull[i], hull[j]),
+                          squared_distance(hull[(i + 1) % n], hull[j])});
+  }
+  return std::sqrt(largest);
+}
+
+// Sections of a surface by planes, found by walking over the faces that a plane crosses. A connected
+// component of a section costs time linear in its length, whatever the size of the surface.
+class Plane_section
+{
+public:
+  using Index = Surface_part::Index;
+  using Point_3 = Surface_part::Point_3;
+
+  explicit Plane_section(const Surface_part& part) : m_part(part), m_visited(part.number_of_faces(), 0) {}
+
+  // Forgets which faces were visited: to be called before the first component of each plane.
+  void start() { ++m_section; }
+
+  // Adds to `points` where the plane crosses the edges of the component through `face`; adds nothing if the
+  // plane does not cross the face or the component was visited since the last call to start().
+  void component(Index face, const Section_plane& plane, std::vector<Point_3>& points)
+  {
+    m_queue.assign(1, face);
+    while (!m_queue.empty())
+    {
+      const Index f = m_queue.back();
+      m_queue.pop_back();
+      if (m_visited[f] == m_section)
+        continue;
+      m_visited[f] = m_section;
+      cross_face(f, plane, points);
+    }
+  }
+
+private:
+  void cross_face(Index f, const Section_plane& plane, std::vector<Point_3>& points)
+  {
+    for (Index c = m_part.first_corner(f); c < m_part.first_corner(f + 1); ++c)
+    {
+      const Point_3& p = m_part.point(m_part.vertex(c));
+      const Point_3& q = m_part.point(m_part.vertex(m_part.next_corner(f, c)));
+      if (plane.is_above(p) == plane.is_above(q))
+        continue;
+      points.push_back(plane.intersection(p, q));
+      if (m_part.neighbor(c) != Surface_part::no_face())
+        m_queue.push_back(m_part.neighbor(c));
+    }
+  }
+
+  const Surface_part& m_part;
+  std::vector<std::uint32_t> m_visited; // the last section that a face was visited for
+  std::uint32_t m_section = 0;
+  std::vector<Index> m_queue;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_PLANE_SECTION_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SECTIONAL_DIAMETER_HISTOGRAM_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SECTIONAL_DIAMETER_HISTOGRAM_H
+
+#include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/distance_histogram.h>
+#include <CGAL/Protrusion_segmentation/internal/plane_section.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// The plane through the ring of faces in a slot: through the ring's centre of gravity, normal to the
+// direction in which the distance grows there (the gradient over all arcs that leave a face of the ring).
+inline Section_plane plane_of_slot(const Surface_part& part,
+                                   const std::vector<double>& distances,
+                                   const Distance_histogram& histogram,
+                                   std::size_t slot)
+{
+  using Index = Surface_part::Index;
+  using Vector_3 = Surface_part::Vector_3;
+  const Surface_part::Dual_graph& graph = part.dual_graph();
+  Vector_3 centre(0, 0, 0), growth(0, 0, 0);
+  double area = 0;
+  const Surface_part::Point_3 origin(0, 0, 0);
+  for (const Index* f = histogram.faces_begin(slot); f != histogram.faces_end(slot); ++f)
+  {
+    area += part.area(*f);
+    centre += part.area(*f) * (part.centroid(*f) - origin);
+    for (const auto arc : boost::make_iterator_range(out_edges(*f, graph)))
+    {
+      const Index g = target(arc, graph);
+      const double length = graph[arc].length;
+      if (length > 0)
+        growth += (part.area(*f) * (distances[g] - distances[*f]) / (length * length)) *
+                  (part.centroid(g) - part.centroid(*f));
+    }
+  }
+  return {area > 0 ? origin + centre / area : part.centroid(*histogram.faces_begin(slot)), growth};
+}
+
+// The diameter of the component of the section that lies nearest to the centre of the ring; 0 if the plane
+// crosses no face of the ring.
+inline double diameter_of_slot(const Section_plane& plane,
+                               const Distance_histogram& histogram,
+                               std::size_t slot,
+                               Plane_section& section)
+{
+  std::vector<Surface_part::Point_3> points, nearest_points;
+  double nearest = (std::numeric_limits<double>::infinity)();
+  section.start();
+  for (const Surface_part::Index* f = histogram.faces_begin(slot); f != histogram.faces_end(slot); ++f)
+  {
+    points.clear();
+    section.component(*f, plane, points);
+    double distance = (std::numeric_limits<double>::infinity)();
+    for (const Surface_part::Point_3& p : points)
+      distance = (std::min)(distance, squared_distance(p, plane.origin));
+    if (distance < nearest)
+    {
+      nearest = distance;
+      nearest_points.swap(points);
+    }
+  }
+  return planar_diameter(nearest_points, plane.normal);
+}
+
+// The sectional-diameter histogram of Section III.D.2: for each slot of the distance histogram the diameter
+// of the surface's section there, in the unit of `part`. A slot without a section takes the diameter of the
+// slot before it.
+inline std::array<double, number_of_slots> sectional_diameter_histogram(
+  const Surface_part& part,
+  const std::vector<double>& distances,
+  const Distance_histogram& histogram,
+  Plane_section& section)
+{
+  std::array<double, number_of_slots> diameters;
+  for (std::size_t s = 0; s < number_of_slots; ++s)
+  {
+    diameters[s] = 0;
+    if (histogram.count(s) > 0)
+      diameters[s] =
+        diameter_of_slot(plane_of_slot(part, distances, histogram, s), histogram, s, section);
+    if (diameters[s] == 0 && s > 0)
+      diameters[s] = diameters[s - 1];
+  }
+  return diameters;
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SECTIONAL_DIAMETER_HISTOGRAM_H

@@ -1,0 +1,259 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SEGMENT_MESH_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SEGMENT_MESH_H
+
+#include <CGAL/Protrusion_segmentation/Default_visitor.h>
+#include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/Monitor.h>
+#include <CGAL/Protrusion_segmentation/internal/Segment_forest.h>
+#include <CGAL/Protrusion_segmentation/internal/extract_part.h>
+#include <CGAL/Protrusion_segmentation/internal/make_surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/select_protrusion_tips.h>
+
+#include <CGAL/Named_function_parameters.h>
+
+#include <boost/graph/graph_traits.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// From meshes and named parameters to index arrays and back: what the public functions have in common.
+
+template <typename NamedParameters>
+unsigned int random_seed(const NamedParameters& np)
+{
+  return static_cast<unsigned int>(
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::random_seed), 0u));
+}
+
+template <typename Visitor>
+Visitor& unwrap(Visitor& visitor)
+{
+  return visitor;
+}
+template <typename Visitor>
+Visitor& unwrap(std::reference_wrapper<Visitor>& visitor)
+{
+  return visitor.get();
+}
+
+inline void check_number_of_segments(std::size_t number_of_segments, std::size_t number_of_faces)
+{
+  if (number_of_segments == 0)
+    throw std::invalid_argument("number_of_segments is 0");
+  if (number_of_segments > number_of_faces)
+    throw std::invalid_argument("number_of_segments is " + std::to_string(number_of_segments) +
+                                ", but tmesh has only " + std::to_string(number_of_faces) + " faces");
+}
+
+template <typename FaceGraph, typename SegmentMap>
+void write_segments(const FaceGraph& mesh,
+                    const std::vector<Surface_part::Index>& labels,
+                    SegmentMap& segment_ids)
+{
+  std::size_t i = 0;
+  for (const auto f : faces(mesh))
+    put(segment_ids, f, static_cast<std::size_t>(labels[i++]));
+}
+
+// Marks the edges between different segments, if the caller wants them.
+template <typename FaceGraph, typename NamedParameters>
+void write_borders(const FaceGraph& mesh,
+                   const std::vector<Surface_part::Index>& labels,
+                   const NamedParameters& np)
+{
+  using No_map = std::is_same<
+    typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, NamedParameters,
+                                                 internal_np::Param_not_found>::type,
+    internal_np::Param_not_found>;
+  if constexpr (!No_map::value)
+  {
+    auto borders = parameters::get_parameter(np, internal_np::edge_is_constrained);
+    auto label = get(CGAL::dynamic_face_property_t<Surface_part::Index>(), mesh);
+    std::size_t i = 0;
+    for (const auto f : faces(mesh))
+      put(label, f, labels[i++]);
+    const auto null_face = boost::graph_traits<FaceGraph>::null_face();
+    for (const auto e : edges(mesh))
+    {
+      const auto f = face(halfedge(e, mesh), mesh);
+      const auto g = face(opposite(halfedge(e, mesh), mesh), mesh);
+      put(borders, e, f != null_face && g != null_face && get(label, f) != get(label, g));
+    }
+  }
+}
+
+// Runs `segment(surface, monitor)` on the arrays of a mesh and writes its labels.
+template <typename FaceGraph, typename SegmentMap, typename NamedParameters, typename Segment>
+std::size_t run_on_mesh(const FaceGraph& mesh,
+                        SegmentMap& segment_ids,
+                        const NamedParameters& np,
+                        Segment segment)
+{
+  auto visitor_parameter =
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor), Default_visitor());
+  auto& visitor = unwrap(visitor_parameter);
+  try
+  {
+    Surface_of_mesh input;
+    {
+      const Stage_scope<std::remove_reference_t<decltype(visitor)>> stage(visitor, Stage::READING);
+      input = make_surface_part(mesh, np);
+    }
+    Monitor<std::remove_reference_t<decltype(visitor)>> monitor(visitor, random_seed(np), input.unit);
+    monitor.check();
+    const Segment_forest forest = segment(input.surface, monitor);
+    monitor.progress(1, 1);
+    write_segments(mesh, forest.labels, segment_ids);
+    write_borders(mesh, forest.labels, np);
+    return forest.number_of_segments();
+  }
+  catch (const Cancelled&)
+  {
+    return 0;
+  }
+}
+
+template <typename FaceGraph,
+          typename SegmentMap,
+          typename Distance,
+          typename Border,
+          typename NamedParameters>
+std::size_t segment_mesh(const FaceGraph& mesh,
+                         SegmentMap segment_ids,
+                         std::optional<std::size_t> number_of_segments,
+                         const Distance& distance,
+                         const Border& border,
+                         const NamedParameters& np)
+{
+  return run_on_mesh(mesh, segment_ids, np,
+                     [&](const Surface_part& surface, auto& monitor)
+                     {
+                       if (number_of_segments)
+                         check_number_of_segments(*number_of_segments, surface.number_of_faces());
+                       return border.segment(surface, distance, number_of_segments, monitor);
+                     });
+}
+
+// The positions of the given faces in the order of `faces(mesh)`.
+template <typename FaceGraph, typename FaceRange>
+std::vector<Surface_part::Index> face_numbers(const FaceGraph& mesh, const FaceRange& range)
+{
+  using Index = Surface_part::Index;
+  std::map<typename boost::graph_traits<FaceGraph>::face_descriptor, Index> numbers;
+  for (const auto f : range)
+    numbers[f] = Surface_part::no_face();
+  Index i = 0;
+  for (const auto f : faces(mesh))
+  {
+    const auto found = numbers.find(f);
+    if (found != numbers.end())
+      found->second = i;
+    ++i;
+  }
+  std::vector<Index> result;
+  for (const auto f : range)
+  {
+    if (numbers[f] == Surface_part::no_face())
+      throw std::invalid_argument("tips: a face is not in tmesh");
+    result.push_back(numbers[f]);
+  }
+  return result;
+}
+
+template <typename FaceGraph,
+          typename FaceRange,
+          typename SegmentMap,
+          typename Distance,
+          typename Border,
+          typename NamedParameters>
+std::size_t segment_mesh_from_tips(const FaceGraph& mesh,
+                                   const FaceRange& tips,
+                                   SegmentMap segment_ids,
+                                   const Distance& distance,
+                                   const Border& border,
+                                   const NamedParameters& np)
+{
+  const std::vector<Surface_part::Index> numbers = face_numbers(mesh, tips);
+  return run_on_mesh(mesh, segment_ids, np, [&](const Surface_part& surface, auto& monitor)
+                     { return border.segment_from_tips(surface, distance, numbers, monitor); });
+}
+
+// How many of `number_of_tips` each component gets: one after the other to the component with the largest
+// area per tip, the new one counted; never more than it has faces.
+inline std::vector<std::size_t> share_out_tips(std::size_t number_of_tips,
+                                               const std::vector<double>& areas,
+                                               const std::vector<std::size_t>& face_counts)
+{
+  std::vector<std::size_t> shares(areas.size(), 0);
+  for (std::size_t t = 0; t < number_of_tips; ++t)
+  {
+    std::optional<std::size_t> best;
+    for (std::size_t c = 0; c < areas.size(); ++c)
+      if (shares[c] < face_counts[c] &&
+          (!best || areas[c] / static_cast<double>(shares[c] + 1) >
+                      areas[*best] / static_cast<double>(shares[*best] + 1)))
+        best = c;
+    ++shares[*best];
+  }
+  return shares;
+}
+
+template <typename FaceGraph, typename OutputIterator, typename Distance, typename NamedParameters>
+OutputIterator select_mesh_tips(const FaceGraph& mesh,
+                                std::size_t number_of_tips,
+                                OutputIterator tips,
+                                const Distance& distance,
+                                const NamedParameters& np)
+{
+  using Index = Surface_part::Index;
+  const Surface_of_mesh input = make_surface_part(mesh, np);
+  if (number_of_tips > input.surface.number_of_faces())
+    throw std::invalid_argument("number_of_tips is " + std::to_string(number_of_tips) +
+                                ", but tmesh has only " +
+                                std::to_string(input.surface.number_of_faces()) + " faces");
+  const Segment_forest components(input.surface);
+  std::vector<double> areas(components.number_of_segments(), 0);
+  std::vector<std::size_t> face_counts(components.number_of_segments(), 0);
+  for (Index f = 0; f < input.surface.number_of_faces(); ++f)
+  {
+    areas[components.labels[f]] += input.surface.area(f);
+    ++face_counts[components.labels[f]];
+  }
+  const std::vector<std::size_t> shares = share_out_tips(number_of_tips, areas, face_counts);
+
+  const std::vector<typename boost::graph_traits<FaceGraph>::face_descriptor> descriptors(
+    faces(mesh).begin(), faces(mesh).end());
+  Part_extractor extract(input.surface);
+  for (Index c = 0; c < shares.size(); ++c)
+  {
+    const Extracted_part component = extract(components.faces_of(c));
+    auto distances = distance.on(component.part, random_seed(np));
+    const Tip_selection selection = select_protrusion_tips(
+      component.part, distances, shares[c], [](Index) { return true; },
+      [](Index, const std::vector<double>&) {});
+    for (Index tip : selection.tips)
+      *tips++ = descriptors[component.faces[tip]];
+  }
+  return tips;
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SEGMENT_MESH_H
