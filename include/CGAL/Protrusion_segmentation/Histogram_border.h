@@ -37,8 +37,8 @@ public:
   /// @{
 
   /// Least prominence of a border: the natural logarithm of the ratio of the diameters behind and at the
-  /// border. Above 0, default 0.3. If k segments were asked for and not found, it is halved until
-  /// `least_prominence()`.
+  /// border. Above 0, default 0.3. If k segments were asked for and not found, it is halved again
+  /// and again.
   double minimum_prominence() const { return m_minimum_prominence; }
   Histogram_border& minimum_prominence(double value)
   {
@@ -58,23 +58,6 @@ public:
   }
   /// @}
 
-  /// \name Constants
-  /// The paper gives no values; these were chosen on half of the development models of the Princeton
-  /// Segmentation Benchmark.
-  /// @{
-
-  /// Over how many slots the growth of the diameter is measured.
-  static constexpr std::size_t inflection_width() { return 5; }
-  /// Slots before it are the cap of the protrusion, where the diameter grows from nothing.
-  static constexpr std::size_t first_slot() { return 12; }
-  /// Slots by which candidate intervals reach beyond the change of the distance histogram.
-  static constexpr std::size_t interval_margin() { return 5; }
-  /// Where the halving of the least prominence ends.
-  static constexpr double least_prominence() { return 0.01; }
-  /// Tips selected in one segment when the number of segments is not given.
-  static constexpr std::size_t maximum_number_of_tips() { return 12; }
-  /// @}
-
 #ifndef DOXYGEN_RUNNING
   // Segments `surface`, into `number_of_segments` or while there are evident protrusions, or cuts off the
   // protrusions of given tips.
@@ -84,8 +67,8 @@ public:
                                    std::optional<std::size_t> number_of_segments,
                                    internal::Monitor<Visitor>& monitor) const
   {
-    internal::Histogram_segmentation<Distance, Histogram_border, Visitor> segmentation(surface, distance,
-                                                                                       *this, monitor);
+    internal::Histogram_segmentation<Distance, Visitor> segmentation(surface, distance, conditions(),
+                                                                     monitor);
     return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
                               : segmentation.with_evident_protrusions();
   }
@@ -95,13 +78,17 @@ public:
                                              const std::vector<Surface_part::Index>& tips,
                                              internal::Monitor<Visitor>& monitor) const
   {
-    return internal::Histogram_segmentation<Distance, Histogram_border, Visitor>(surface, distance, *this,
-                                                                                 monitor)
+    return internal::Histogram_segmentation<Distance, Visitor>(surface, distance, conditions(), monitor)
       .from_tips(tips);
   }
 #endif
 
 private:
+  internal::Border_conditions conditions() const
+  {
+    return {m_minimum_prominence, m_uses_candidate_intervals, false};
+  }
+
   double m_minimum_prominence = 0.3;
   bool m_uses_candidate_intervals = true;
 };

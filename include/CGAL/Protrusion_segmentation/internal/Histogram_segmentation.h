@@ -8,14 +8,12 @@
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
 #include <CGAL/Protrusion_segmentation/internal/Monitor.h>
 #include <CGAL/Protrusion_segmentation/internal/Segment_forest.h>
-#include <CGAL/Protrusion_segmentation/internal/detect_border.h>
+#include <CGAL/Protrusion_segmentation/internal/Tip_record.h>
 #include <CGAL/Protrusion_segmentation/internal/extract_part.h>
 #include <CGAL/Protrusion_segmentation/internal/label_segments.h>
-#include <CGAL/Protrusion_segmentation/internal/sectional_diameter_histogram.h>
 #include <CGAL/Protrusion_segmentation/internal/select_protrusion_tips.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -26,18 +24,9 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// What is computed for a tip while the distances from it are at hand.
-struct Tip_record
-{
-  Surface_part::Index tip;
-  Distance_histogram histogram;
-  std::array<double, number_of_slots> diameters;
-  double to_nearest_tip = (std::numeric_limits<double>::infinity)();
-};
-
 // The flow of Fig. 2: tips in the largest segment, a border for each, labels, until there are enough
 // segments.
-template <typename Distance, typename Options, typename Visitor>
+template <typename Distance, typename Visitor>
 class Histogram_segmentation
 {
 public:
@@ -45,22 +34,25 @@ public:
 
   Histogram_segmentation(const Surface_part& surface,
                          const Distance& distance,
-                         const Options& options,
+                         const Border_conditions& conditions,
                          Monitor<Visitor>& monitor)
     : m_surface(surface),
       m_distance(distance),
-      m_options(options),
+      m_conditions(conditions),
       m_monitor(monitor),
       m_extract(surface),
       m_forest(surface),
-      m_minimum_prominence(options.minimum_prominence())
+      m_records(m_forest.number_of_segments())
   {}
 
-  // Segments with k as the paper has it. If no segment has a border prominent enough while there are fewer
-  // than k, the least prominence is halved and all are tried again.
+  // If no segment has a border prominent enough while there are fewer than k, the conditions are relaxed:
+  // implausible tips are accepted and the least prominence is halved, again and again.
   Segment_forest with_number_of_segments(std::size_t k)
   {
-    for (; m_minimum_prominence >= m_options.least_prominence(); m_minimum_prominence /= 2)
+    constexpr double least_prominence = 0.01; // a diameter that grows by 1 % over 5 slots does not grow
+    split_all(k);
+    m_conditions.accepts_implausible_tips = true;
+    for (; m_conditions.minimum_prominence > least_prominence; m_conditions.minimum_prominence /= 2)
       split_all(k);
     return std::move(m_forest);
   }
@@ -80,13 +72,43 @@ public:
       tips_of_segment[m_forest.labels[tip]].push_back(tip);
     for (Index s = 0; s < tips_of_segment.size(); ++s)
       if (!tips_of_segment[s].empty())
-        split(s, tips.size(), tips_of_segment[s]);
+      {
+        Segment segment(*this, s);
+        record_given_tips(segment, tips_of_segment[s]);
+        cut_off_all(segment, find_borders(s, tips.size()));
+      }
     return std::move(m_forest);
   }
 
 private:
+  // A tip of a segment by its number, and its border.
+  using Tip_border = std::pair<std::size_t, Inflection>;
+
+  // A segment as a surface of its own with the distances on it.
+  struct Segment
+  {
+    Index id;
+    Extracted_part extracted;
+    decltype(std::declval<const Distance&>().on(std::declval<const Surface_part&>(), 0u)) distances;
+
+    Segment(Histogram_segmentation& segmentation, Index id_)
+      : id(id_),
+        extracted(segmentation.m_extract(segmentation.m_forest.faces_of(id_))),
+        distances(segmentation.m_distance.on(extracted.part, segmentation.m_monitor.random_seed())),
+        m_visitor(segmentation.m_monitor.visitor())
+    {}
+    ~Segment() { m_visitor.distances_computed(distances.number_of_runs()); }
+    Segment(const Segment&) = delete;
+    Segment& operator=(const Segment&) = delete;
+
+  private:
+    Visitor& m_visitor;
+  };
+
   void split_all(std::size_t k)
   {
+    // more tips than that in one go only where the number of segments asks for them
+    constexpr std::size_t maximum_number_of_tips = 12;
     std::vector<bool> is_exhausted(m_forest.number_of_segments(), false);
     while (m_forest.number_of_segments() < k)
     {
@@ -94,14 +116,12 @@ private:
       const std::optional<Index> largest = largest_segment(is_exhausted);
       if (!largest)
         return;
-      const std::size_t wanted =
-        (std::min)(k - m_forest.number_of_segments(), m_options.maximum_number_of_tips());
-      is_exhausted[*largest] = (split(*largest, wanted, {}) == 0);
+      const std::size_t missing = k - m_forest.number_of_segments();
+      const bool has_k = k != (std::numeric_limits<std::size_t>::max)();
+      is_exhausted[*largest] = !split(*largest, has_k ? missing : maximum_number_of_tips);
       is_exhausted.resize(m_forest.number_of_segments(), false);
     }
   }
-
-  bool is_relaxed() const { return m_minimum_prominence < m_options.minimum_prominence(); }
 
   std::optional<Index> largest_segment(const std::vector<bool>& is_exhausted) const
   {
@@ -115,173 +135,130 @@ private:
     return largest;
   }
 
-  // Steps 2 to 4 in one segment; `tips`, faces of the surface, are selected if there are none. Returns how
-  // many protrusions were cut off.
-  std::size_t split(Index segment, std::size_t wanted, const std::vector<Index>& tips)
+  // Steps 2 to 4 in one segment; returns whether a protrusion was cut off. The records of a segment that
+  // has none stay, so that relaxed conditions cost no further distances.
+  bool split(Index id, std::size_t wanted)
   {
-    const Extracted_part segment_part = m_extract(m_forest.faces_of(segment));
-    const Surface_part& part = segment_part.part;
-    auto distances = m_distance.on(part, m_monitor.random_seed());
-    std::vector<Tip_record> records = tips.empty()
-                                        ? select_tips(segment_part, distances, wanted)
-                                        : given_tips(segment_part, distances, tips);
-    const Stage_scope<Visitor> stage(m_monitor.visitor(), Stage::BORDERS);
-    std::vector<Index> labels(part.number_of_faces(), segment);
-    std::size_t found = 0;
-    for (const Tip_record& record : records)
+    std::optional<Segment> segment;
+    if (m_records[id].empty())
     {
-      m_monitor.check();
-      const std::optional<Inflection> border = border_of(record);
-      if (border && labels[record.tip] == segment && found < wanted)
-      {
-        cut_off(segment_part, distances, record, *border, labels);
-        ++found;
-      }
+      segment.emplace(*this, id);
+      select_tips(*segment, wanted);
     }
-    m_monitor.visitor().distances_computed(distances.number_of_runs());
-    for (Index f = 0; f < labels.size(); ++f)
-      m_forest.labels[segment_part.faces[f]] = labels[f];
-    return found;
+    const std::vector<Tip_border> borders = find_borders(id, wanted);
+    if (borders.empty())
+      return false;
+    if (!segment)
+      segment.emplace(*this, id);
+    cut_off_all(*segment, borders);
+    return true;
   }
 
-  static Tip_record record_tip(const Surface_part& part,
-                               Index tip,
-                               const std::vector<double>& from_tip,
-                               Plane_section& section)
-  {
-    Distance_histogram histogram(from_tip);
-    const auto diameters = sectional_diameter_histogram(part, from_tip, histogram, section);
-    return {tip, std::move(histogram), diameters};
-  }
-
-  // Keeps for both tips of every pair the distance to the nearest other one.
-  static void relate_tips(std::vector<Tip_record>& records, const std::vector<double>& from_last)
-  {
-    Tip_record& last = records.back();
-    for (std::size_t i = 0; i + 1 < records.size(); ++i)
-    {
-      const double distance = from_last[records[i].tip];
-      records[i].to_nearest_tip = (std::min)(records[i].to_nearest_tip, distance);
-      last.to_nearest_tip = (std::min)(last.to_nearest_tip, distance);
-    }
-  }
-
-  template <typename Distances>
-  std::vector<Tip_record> select_tips(const Extracted_part& segment_part,
-                                      Distances& distances,
-                                      std::size_t wanted)
+  void select_tips(Segment& segment, std::size_t wanted)
   {
     const Stage_scope<Visitor> stage(m_monitor.visitor(), Stage::TIPS);
-    Plane_section section(segment_part.part);
-    std::vector<Tip_record> records;
+    const Extracted_part& extracted = segment.extracted;
+    Plane_section section(extracted.part);
     select_protrusion_tips(
-      segment_part.part, distances, wanted,
-      [&](Index face)
-      {
-        const bool is_plausible = is_relaxed() || !segment_part.is_on_cut[face];
-        if (!is_plausible)
-          m_monitor.visitor().tip_eliminated(segment_part.faces[face]);
-        return is_plausible;
-      },
-      [&](Index tip, const std::vector<double>& from_tip)
+      extracted.part, segment.distances, wanted,
+      // where the segment was cut off there is no tip of a protrusion, however far it may be
+      [&](Index face) { return !extracted.is_on_cut[face]; },
+      [&](Index face, const std::vector<double>& distances)
       {
         m_monitor.check();
-        m_monitor.visitor().tip_found(segment_part.faces[tip]);
-        records.push_back(record_tip(segment_part.part, tip, from_tip, section));
-        relate_tips(records, from_tip);
+        if (extracted.is_on_cut[face])
+          m_monitor.visitor().tip_eliminated(extracted.faces[face]);
+        else
+          m_monitor.visitor().tip_found(extracted.faces[face]);
+        add_tip_record(extracted.part, face, !extracted.is_on_cut[face], distances, section,
+                       m_records[segment.id]);
       });
-    return records;
   }
 
   // The records of tips that were not selected here; `tips` are faces of the whole surface.
-  template <typename Distances>
-  std::vector<Tip_record> given_tips(const Extracted_part& segment_part,
-                                     Distances& distances,
-                                     const std::vector<Index>& tips)
+  void record_given_tips(Segment& segment, const std::vector<Index>& tips)
   {
-    Plane_section section(segment_part.part);
-    std::vector<Tip_record> records;
-    std::vector<double> from_tip;
+    Plane_section section(segment.extracted.part);
+    std::vector<double> distances;
     for (Index tip : tips)
     {
-      const auto position = std::lower_bound(segment_part.faces.begin(), segment_part.faces.end(), tip);
-      const Index local = static_cast<Index>(position - segment_part.faces.begin());
-      distances(local, from_tip);
-      records.push_back(record_tip(segment_part.part, local, from_tip, section));
-      relate_tips(records, from_tip);
+      const std::vector<Index>& faces = segment.extracted.faces;
+      const Index face =
+        static_cast<Index>(std::lower_bound(faces.begin(), faces.end(), tip) - faces.begin());
+      segment.distances(face, distances);
+      add_tip_record(segment.extracted.part, face, true, distances, section, m_records[segment.id]);
     }
-    return records;
   }
 
-  // Section III.D.3: the most prominent inflection of the diameters in a candidate interval. The border
-  // must not lie beyond another tip: then the protrusion would swallow it.
-  std::optional<Inflection> border_of(const Tip_record& record) const
+  // Step 3: the tips that have a border, at most `wanted`.
+  std::vector<Tip_border> find_borders(Index id, std::size_t wanted)
   {
-    const std::vector<Slot_interval> intervals =
-      candidate_intervals(record.histogram, m_options.interval_margin());
-    for (const Inflection& inflection :
-         inflection_points(record.diameters, m_options.inflection_width(), m_options.first_slot()))
+    const Stage_scope<Visitor> stage(m_monitor.visitor(), Stage::BORDERS);
+    std::vector<Tip_border> borders;
+    for (std::size_t i = 0; i < m_records[id].size() && borders.size() < wanted; ++i)
+      if (const std::optional<Inflection> border = border_of_tip(m_records[id], i, m_conditions))
+        borders.push_back({i, *border});
+    return borders;
+  }
+
+  // Step 4. A tip that lies in the protrusion of another one is left out. The tips of what remains are
+  // selected anew when it is its turn.
+  void cut_off_all(Segment& segment, const std::vector<Tip_border>& borders)
+  {
+    const Stage_scope<Visitor> stage(m_monitor.visitor(), Stage::LABELS);
+    const Tip_records records = std::exchange(m_records[segment.id], {});
+    std::vector<Index> labels(segment.extracted.part.number_of_faces(), segment.id);
+    std::vector<double> distances;
+    for (const Tip_border& tip_border : borders)
     {
-      if (inflection.prominence < m_minimum_prominence)
-        break;
-      const bool is_candidate =
-        !m_options.uses_candidate_intervals() || contains(intervals, inflection.slot);
-      if (is_candidate && record.histogram.slot_begin(inflection.slot) < record.to_nearest_tip)
-        return inflection;
+      const Tip_record& record = records[tip_border.first];
+      if (labels[record.tip] != segment.id)
+        continue;
+      m_monitor.check();
+      const double border_distance = record.histogram.slot_begin(tip_border.second.slot);
+      segment.distances(record.tip, distances);
+      const Index id = m_forest.add_segment(segment.id);
+      const double area = cut_off_protrusion(
+        segment.extracted.part, labels, record.tip,
+        [&](Index f) { return distances[f] < border_distance; }, id);
+      report(segment, record, tip_border.second, id, area,
+             border_length(segment.extracted.part, labels, id));
     }
-    return std::nullopt;
+    m_records.resize(m_forest.number_of_segments());
+    for (Index f = 0; f < labels.size(); ++f)
+      m_forest.labels[segment.extracted.faces[f]] = labels[f];
   }
 
-  template <typename Distances>
-  void cut_off(const Extracted_part& segment_part,
-               Distances& distances,
-               const Tip_record& record,
-               const Inflection& border,
-               std::vector<Index>& labels)
-  {
-    const double border_distance = record.histogram.slot_begin(border.slot);
-    std::vector<double> from_tip;
-    distances(record.tip, from_tip);
-    const Index parent = labels[record.tip];
-    const Index id = m_forest.add_segment(parent);
-    const double area = cut_off_protrusion(
-      segment_part.part, labels, record.tip,
-      [&](Index f) { return from_tip[f] < border_distance; }, id);
-    report(segment_part, record, border, {id, parent}, area, labels);
-  }
-
-  void report(const Extracted_part& segment_part,
+  void report(const Segment& segment,
               const Tip_record& record,
               const Inflection& border,
-              std::pair<Index, Index> id_and_parent,
+              Index id,
               double area,
-              const std::vector<Index>& labels)
+              double length)
   {
+    const double unit = m_monitor.unit();
     Protrusion protrusion;
-    protrusion.segment = id_and_parent.first;
-    protrusion.parent = id_and_parent.second;
-    protrusion.tip = segment_part.faces[record.tip];
+    protrusion.segment = id;
+    protrusion.parent = segment.id;
+    protrusion.tip = segment.extracted.faces[record.tip];
     protrusion.border_slot = border.slot;
-    protrusion.border_distance = record.histogram.slot_begin(border.slot) * m_monitor.unit();
+    protrusion.border_distance = record.histogram.slot_begin(border.slot) * unit;
     protrusion.score = border.prominence;
-    protrusion.area = area * m_monitor.unit() * m_monitor.unit();
-    protrusion.border_length =
-      border_length(segment_part.part, labels, id_and_parent.first) * m_monitor.unit();
-    for (std::size_t s = 0; s < number_of_slots; ++s)
-    {
-      protrusion.distance_histogram.push_back(record.histogram.count(s));
-      protrusion.sectional_diameter_histogram.push_back(record.diameters[s] * m_monitor.unit());
-    }
+    protrusion.area = area * unit * unit;
+    protrusion.border_length = length * unit;
+    protrusion.distance_histogram.assign(record.histogram.counts.begin(), record.histogram.counts.end());
+    for (double diameter : record.diameters)
+      protrusion.sectional_diameter_histogram.push_back(diameter * unit);
     m_monitor.visitor().protrusion_found(protrusion);
   }
 
   const Surface_part& m_surface;
   const Distance& m_distance;
-  const Options& m_options;
+  Border_conditions m_conditions;
   Monitor<Visitor>& m_monitor;
   Part_extractor m_extract;
   Segment_forest m_forest;
-  double m_minimum_prominence;
+  std::vector<Tip_records> m_records; // of every segment whose tips were selected
 };
 
 } // namespace internal

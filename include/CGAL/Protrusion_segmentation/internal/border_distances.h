@@ -77,23 +77,46 @@ std::vector<std::size_t> border_vertices(const FaceGraph& mesh, const SegmentIdM
   return result;
 }
 
-// Sum of the distances of `targets` to the nearest of `sources`; infinite if one cannot be reached.
-inline double sum_of_distances(const Vertex_graph& graph, const std::vector<std::size_t>& sources,
-                               const std::vector<std::size_t>& targets)
+// Of each vertex to the nearest of `border`; infinite where none can be reached.
+inline std::vector<double> distances_to_border(const Vertex_graph& graph,
+                                               const std::vector<std::size_t>& border)
 {
   std::vector<double> distances(num_vertices(graph));
   const auto indices = get(boost::vertex_index, graph);
   boost::dijkstra_shortest_paths(
-    graph, sources.begin(), sources.end(), boost::dummy_property_map(),
+    graph, border.begin(), border.end(), boost::dummy_property_map(),
     boost::make_iterator_property_map(distances.begin(), indices), get(boost::edge_weight, graph),
     indices, std::less<double>(), boost::closed_plus<double>(),
     std::numeric_limits<double>::infinity(), 0., boost::default_dijkstra_visitor(),
     boost::make_two_bit_color_map(num_vertices(graph), indices));
+  return distances;
+}
 
+// The points of a border, and how far all vertices are from them.
+struct Border
+{
+  std::vector<std::size_t> points;
+  std::vector<double> distances;
+};
+
+inline double sum_of_distances(const std::vector<std::size_t>& points, const Border& border)
+{
   double sum = 0;
-  for(const std::size_t target : targets)
-    sum += distances[target];
+  for(const std::size_t point : points)
+    sum += border.distances[point];
   return sum;
+}
+
+inline std::optional<double> cut_discrepancy(const Border& first, const Border& second,
+                                             double radius)
+{
+  if(first.points.empty() || second.points.empty() || !(radius > 0))
+    return std::nullopt;
+  const double sum = sum_of_distances(first.points, second)
+                   + sum_of_distances(second.points, first);
+  if(!std::isfinite(sum))
+    return std::nullopt;
+  return sum / double(first.points.size() + second.points.size()) / radius;
 }
 
 template <typename FaceGraph, typename SegmentIdMap, typename ReferenceIdMap,
@@ -108,13 +131,10 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh, const SegmentIdMap&
   if(border.empty() || reference.empty())
     return std::nullopt;
 
-  const double radius = average_radius(face_areas_and_centroids(mesh, vertex_points));
   const Vertex_graph graph = vertex_graph(mesh, vertex_points, vertex_indices);
-  const double sum = sum_of_distances(graph, reference, border)
-                   + sum_of_distances(graph, border, reference);
-  if(!(radius > 0) || !std::isfinite(sum))
-    return std::nullopt;
-  return sum / double(border.size() + reference.size()) / radius;
+  return cut_discrepancy(Border{border, distances_to_border(graph, border)},
+                         Border{reference, distances_to_border(graph, reference)},
+                         average_radius(face_areas_and_centroids(mesh, vertex_points)));
 }
 
 } // namespace internal

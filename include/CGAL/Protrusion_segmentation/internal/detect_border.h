@@ -28,10 +28,13 @@ struct Inflection
 // the diameter grows over it by a larger factor than over any other window that begins less than `width`
 // slots away. Windows before `first_slot` belong to the cap of the protrusion, where the diameter grows
 // from nothing.
-inline std::vector<Inflection> inflection_points(const std::array<double, number_of_slots>& diameters,
-                                                 std::size_t width,
-                                                 std::size_t first_slot)
+//
+// The paper gives no constants. On half of the development models of the Princeton benchmark a width of 5
+// slots was better than 3 or 8, and a first slot of 12 (Rand index error .197) than 5 (.232) or 8 (.218).
+inline std::vector<Inflection> inflection_points(const std::array<double, number_of_slots>& diameters)
 {
+  constexpr std::size_t width = 5;
+  constexpr std::size_t first_slot = 12;
   constexpr std::size_t smoothing_radius = 1; // enough against sections that miss a few faces
   const std::array<double, number_of_slots> smooth = moving_average(diameters, smoothing_radius);
   const auto growth_over = [&smooth](std::size_t slot, std::size_t slots)

@@ -7,6 +7,8 @@
 
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
 
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,46 +22,51 @@ namespace internal {
 // Ten groups of ten intervals, Section III.D.1.
 constexpr std::size_t number_of_slots = 100;
 
-// The distance histogram of Section III.D.1: the range from the tip to the farthest face in slots of equal
-// width, each with the faces at that distance.
-class Distance_histogram
+// The distance histogram of Section III.D.1: how many faces lie in each of the slots of equal width between
+// the tip and the farthest face.
+struct Distance_histogram
+{
+  double range = 0; // the distance of the farthest face
+  std::array<Surface_part::Index, number_of_slots> counts{};
+
+  std::size_t slot(double distance) const
+  {
+    if (!(range > 0))
+      return 0;
+    return (std::min)(static_cast<std::size_t>(number_of_slots * (distance / range)),
+                      number_of_slots - 1);
+  }
+  // the distance at which a slot begins
+  double slot_begin(std::size_t slot) const { return range * static_cast<double>(slot) / number_of_slots; }
+};
+
+// The faces of each slot.
+class Slots
 {
 public:
   using Index = Surface_part::Index;
 
-  explicit Distance_histogram(const std::vector<double>& distances)
-    : m_range(*std::max_element(distances.begin(), distances.end())),
-      m_faces(distances.size())
+  explicit Slots(const std::vector<double>& distances) : m_faces(distances.size())
   {
-    m_begin.fill(0);
+    m_histogram.range = *std::max_element(distances.begin(), distances.end());
     for (double d : distances)
-      ++m_begin[slot(d) + 1];
+      ++m_histogram.counts[m_histogram.slot(d)];
+    m_begin[0] = 0;
     for (std::size_t s = 0; s < number_of_slots; ++s)
-      m_begin[s + 1] += m_begin[s];
+      m_begin[s + 1] = m_begin[s] + m_histogram.counts[s];
     std::array<Index, number_of_slots + 1> position = m_begin;
     for (Index f = 0; f < distances.size(); ++f)
-      m_faces[position[slot(distances[f])]++] = f;
+      m_faces[position[m_histogram.slot(distances[f])]++] = f;
   }
 
-  double range() const { return m_range; }
-  std::size_t slot(double distance) const
+  const Distance_histogram& histogram() const { return m_histogram; }
+  boost::iterator_range<const Index*> faces(std::size_t slot) const
   {
-    if (!(m_range > 0))
-      return 0;
-    return (std::min)(static_cast<std::size_t>(number_of_slots * (distance / m_range)),
-                      number_of_slots - 1);
+    return {m_faces.data() + m_begin[slot], m_faces.data() + m_begin[slot + 1]};
   }
-  // the distance at which a slot begins
-  double slot_begin(std::size_t slot) const
-  {
-    return m_range * static_cast<double>(slot) / number_of_slots;
-  }
-  std::size_t count(std::size_t slot) const { return m_begin[slot + 1] - m_begin[slot]; }
-  const Index* faces_begin(std::size_t slot) const { return m_faces.data() + m_begin[slot]; }
-  const Index* faces_end(std::size_t slot) const { return m_faces.data() + m_begin[slot + 1]; }
 
 private:
-  double m_range;
+  Distance_histogram m_histogram;
   std::array<Index, number_of_slots + 1> m_begin;
   std::vector<Index> m_faces; // slot by slot
 };
@@ -89,15 +96,15 @@ inline std::array<double, number_of_slots> moving_average(
 }
 
 // The candidate intervals of Section III.D.3: where the smoothed contour of the histogram rises or falls
-// faster than on average, and `margin` slots around, because the contour is flat where the change begins.
-inline std::vector<Slot_interval> candidate_intervals(const Distance_histogram& histogram,
-                                                      std::size_t margin)
+// faster than on average, and some slots around, because the contour is flat where the change begins.
+inline std::vector<Slot_interval> candidate_intervals(const Distance_histogram& histogram)
 {
   // the count of a slot on a mesh of a few thousand faces is noise over a width of one slot
   constexpr std::size_t smoothing_radius = 2;
+  // half the width of the paper's groups of slots
+  constexpr std::size_t margin = 5;
   std::array<double, number_of_slots> contour;
-  for (std::size_t s = 0; s < number_of_slots; ++s)
-    contour[s] = static_cast<double>(histogram.count(s));
+  std::copy(histogram.counts.begin(), histogram.counts.end(), contour.begin());
   contour = moving_average(contour, smoothing_radius);
 
   std::array<double, number_of_slots> slope{};

@@ -23,7 +23,7 @@ namespace internal {
 // direction in which the distance grows there (the gradient over all arcs that leave a face of the ring).
 inline Section_plane plane_of_slot(const Surface_part& part,
                                    const std::vector<double>& distances,
-                                   const Distance_histogram& histogram,
+                                   const Slots& slots,
                                    std::size_t slot)
 {
   using Index = Surface_part::Index;
@@ -32,36 +32,36 @@ inline Section_plane plane_of_slot(const Surface_part& part,
   Vector_3 centre(0, 0, 0), growth(0, 0, 0);
   double area = 0;
   const Surface_part::Point_3 origin(0, 0, 0);
-  for (const Index* f = histogram.faces_begin(slot); f != histogram.faces_end(slot); ++f)
+  for (Index f : slots.faces(slot))
   {
-    area += part.area(*f);
-    centre += part.area(*f) * (part.centroid(*f) - origin);
-    for (const auto arc : boost::make_iterator_range(out_edges(*f, graph)))
+    area += part.area(f);
+    centre += part.area(f) * (part.centroid(f) - origin);
+    for (const auto arc : boost::make_iterator_range(out_edges(f, graph)))
     {
       const Index g = target(arc, graph);
       const double length = graph[arc].length;
       if (length > 0)
-        growth += (part.area(*f) * (distances[g] - distances[*f]) / (length * length)) *
-                  (part.centroid(g) - part.centroid(*f));
+        growth += (part.area(f) * (distances[g] - distances[f]) / (length * length)) *
+                  (part.centroid(g) - part.centroid(f));
     }
   }
-  return {area > 0 ? origin + centre / area : part.centroid(*histogram.faces_begin(slot)), growth};
+  return {area > 0 ? origin + centre / area : part.centroid(slots.faces(slot).front()), growth};
 }
 
 // The diameter of the component of the section that lies nearest to the centre of the ring; 0 if the plane
 // crosses no face of the ring.
 inline double diameter_of_slot(const Section_plane& plane,
-                               const Distance_histogram& histogram,
+                               const Slots& slots,
                                std::size_t slot,
                                Plane_section& section)
 {
   std::vector<Surface_part::Point_3> points, nearest_points;
   double nearest = (std::numeric_limits<double>::infinity)();
   section.start();
-  for (const Surface_part::Index* f = histogram.faces_begin(slot); f != histogram.faces_end(slot); ++f)
+  for (Surface_part::Index f : slots.faces(slot))
   {
     points.clear();
-    section.component(*f, plane, points);
+    section.component(f, plane, points);
     double distance = (std::numeric_limits<double>::infinity)();
     for (const Surface_part::Point_3& p : points)
       distance = (std::min)(distance, squared_distance(p, plane.origin));
@@ -80,16 +80,16 @@ inline double diameter_of_slot(const Section_plane& plane,
 inline std::array<double, number_of_slots> sectional_diameter_histogram(
   const Surface_part& part,
   const std::vector<double>& distances,
-  const Distance_histogram& histogram,
+  const Slots& slots,
   Plane_section& section)
 {
   std::array<double, number_of_slots> diameters;
   for (std::size_t s = 0; s < number_of_slots; ++s)
   {
     diameters[s] = 0;
-    if (histogram.count(s) > 0)
+    if (!slots.faces(s).empty())
       diameters[s] =
-        diameter_of_slot(plane_of_slot(part, distances, histogram, s), histogram, s, section);
+        diameter_of_slot(plane_of_slot(part, distances, slots, s), slots, s, section);
     if (diameters[s] == 0 && s > 0)
       diameters[s] = diameters[s - 1];
   }

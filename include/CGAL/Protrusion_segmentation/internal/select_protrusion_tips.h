@@ -42,11 +42,11 @@ struct Tip_selection
   std::size_t number_of_eliminated = 0;
 };
 
-// Section III.C: eq. (1), then eq. (2) until there are `count` tips or no face is left at a distance from
-// all tips. A selected face for which `is_plausible(face)` is false takes part in eq. (2) but is no tip; so
-// that a surface without plausible tips comes to an end, at most `count` faces are eliminated.
-// `visit(tip, distances from the tip)` is called for every tip: one distance computation serves the
-// selection and the histograms.
+// Section III.C: eq. (1), then eq. (2) until there are `count` plausible tips or no face is left at a
+// distance from all tips. An implausible one is eliminated: it takes part in eq. (2) but does not count; so
+// that a surface without plausible tips comes to an end, `count` eliminations end the selection.
+// `visit(tip, distances from the tip)` is called for every tip, eliminated or not: one distance computation
+// serves the selection and the histograms.
 template <typename Distances, typename Plausible, typename Visit>
 Tip_selection select_protrusion_tips(const Surface_part& part,
                                      Distances& distances,
@@ -62,11 +62,9 @@ Tip_selection select_protrusion_tips(const Surface_part& part,
   while (selection.tips.size() < count)
   {
     distances(face, from_tip);
+    visit(face, from_tip);
     if (is_plausible(face))
-    {
       selection.tips.push_back(face);
-      visit(face, from_tip);
-    }
     else if (++selection.number_of_eliminated == count)
       break;
     for (Index f = 0; f < part.number_of_faces(); ++f)
