@@ -10,8 +10,13 @@
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+
+#ifdef CGAL_USE_VTK
+#include <CGAL/IO/VTK.h>
+#endif
 
 #include <CLI/CLI.hpp>
 
@@ -76,15 +81,37 @@ struct Polygon_soup
   std::vector<std::vector<std::size_t>> polygons;
 };
 
-inline void check_format(const std::string& file_name)
+inline std::string lower_case_extension(const std::string& file_name)
 {
   std::string extension = std::filesystem::path(file_name).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return char(std::tolower(c)); });
-  for(const char* known : {".off", ".obj", ".ply", ".stl", ".ts"})
-    if(extension == known)
-      return;
-  throw Error(file_name, "is in no known format (known are off, obj, ply, stl, ts)");
+  return extension;
+}
+
+// The extensions of the formats that CGAL reads; VTP is one only if VTK was there at compile time.
+inline std::vector<std::string> mesh_extensions()
+{
+  return {".off", ".obj", ".ply", ".stl", ".ts",
+#ifdef CGAL_USE_VTK
+          ".vtp"
+#endif
+  };
+}
+
+inline std::string known_formats()
+{
+  std::string names;
+  for(const std::string& extension : mesh_extensions())
+    names += (names.empty() ? "" : ", ") + extension.substr(1);
+  return names;
+}
+
+inline void check_format(const std::string& file_name)
+{
+  const std::vector<std::string> known = mesh_extensions();
+  if(std::find(known.begin(), known.end(), lower_case_extension(file_name)) == known.end())
+    throw Error(file_name, "is in no known format (known are " + known_formats() + ")");
 }
 
 // Is this a file whose first bytes can be read? CGAL's readers tell that from no other failure.
@@ -100,6 +127,16 @@ inline void check_readable(const std::string& file_name)
     throw Error(file_name, "is empty");
 }
 
+inline bool read_soup_by_extension(const std::string& file_name, Polygon_soup& soup)
+{
+#ifdef CGAL_USE_VTK
+  if(lower_case_extension(file_name) == ".vtp")
+    return CGAL::IO::read_VTP(file_name, soup.points, soup.polygons);
+#endif
+  return CGAL::IO::read_polygon_soup(file_name, soup.points, soup.polygons,
+                                     CGAL::parameters::verbose(false));
+}
+
 inline Polygon_soup read_soup(const std::string& file_name)
 {
   check_readable(file_name);
@@ -109,8 +146,7 @@ inline Polygon_soup read_soup(const std::string& file_name)
   try
   {
     const Silence silence;
-    is_read = CGAL::IO::read_polygon_soup(file_name, soup.points, soup.polygons,
-                                          CGAL::parameters::verbose(false));
+    is_read = read_soup_by_extension(file_name, soup);
   }
   catch(const std::bad_alloc&)
   {
@@ -132,7 +168,7 @@ inline void check_soup(const Polygon_soup& soup, const std::string& file_name)
   for(std::size_t i = 0; i < soup.points.size(); ++i)
     for(int c = 0; c < 3; ++c)
       if(!std::isfinite(soup.points[i][c]))
-        throw Error(file_name, "vertex " + std::to_string(i) + " has a coordinate that is no number");
+        throw Error(file_name, "vertex " + std::to_string(i) + " has no finite coordinates");
   for(std::size_t i = 0; i < soup.polygons.size(); ++i)
   {
     std::vector<std::size_t> corners = soup.polygons[i];
@@ -147,22 +183,33 @@ inline void check_soup(const Polygon_soup& soup, const std::string& file_name)
   }
 }
 
-// Reads a mesh of any format that CGAL reads, chosen by the extension of the name; or throws an
-// `Error`. Faces are in the order of the file. Where faces do not fit together as they are, CGAL
-// reorients them and duplicates vertices; neither changes the number or the order of the faces.
-inline Mesh read_mesh(const std::string& file_name)
+// Makes a mesh with the faces of `soup` in their order. Where faces do not fit together as they are,
+// CGAL reorients them and duplicates vertices.
+inline Mesh mesh_of_soup(Polygon_soup soup, const std::string& file_name)
 {
   namespace PMP = CGAL::Polygon_mesh_processing;
 
-  Polygon_soup soup = read_soup(file_name);
-  check_soup(soup, file_name);
   if(!PMP::is_polygon_soup_a_polygon_mesh(soup.polygons))
     PMP::orient_polygon_soup(soup.points, soup.polygons);
   if(!PMP::is_polygon_soup_a_polygon_mesh(soup.polygons))
     throw Error(file_name, "its faces do not make up a surface mesh");
-
   Mesh mesh;
   PMP::polygon_soup_to_polygon_mesh(soup.points, soup.polygons, mesh);
+  if(mesh.number_of_faces() != soup.polygons.size() || !mesh.is_valid(false))
+    throw Error(file_name, "its faces do not make up a surface mesh");
+  return mesh;
+}
+
+// Reads a mesh of any format that CGAL reads, chosen by the extension of the name; or throws an
+// `Error`. Faces are in the order of the file, all of them. Border edges that lie on each other are
+// joined, as of faces that share no vertices.
+inline Mesh read_mesh(const std::string& file_name)
+{
+  const Polygon_soup soup = read_soup(file_name);
+  check_soup(soup, file_name);
+  Mesh mesh = mesh_of_soup(soup, file_name);
+  CGAL::Polygon_mesh_processing::stitch_borders(mesh);
+  mesh.collect_garbage();
   if(mesh.number_of_faces() != soup.polygons.size() || !mesh.is_valid(false))
     throw Error(file_name, "its faces do not make up a surface mesh");
   return mesh;
