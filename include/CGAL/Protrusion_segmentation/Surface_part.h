@@ -10,6 +10,7 @@
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/range/iterator_range.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -117,27 +118,28 @@ public:
   }
 
 private:
-  // centroid of the fan of triangles around the first corner, each triangle signed by the face normal,
-  // which is right for every simple planar polygon, convex or not
+  // The centroid of the fan of triangles around the first corner, each triangle signed by the face normal:
+  // right for every simple planar polygon, convex or not. The mean of the corners where that is far off, as
+  // for folded or crossed polygons, the signs of whose triangles nearly cancel.
   Point_3 fan_centroid(Index face, const Vector_3& normal, double area) const
   {
     const Index first = first_corner(face);
     const Index end = first_corner(face + 1);
     const Point_3& origin = point(vertex(first));
-    Vector_3 sum(0, 0, 0);
-    if (end - first > 3 && area > 0)
+    Vector_3 sum(0, 0, 0), moment(0, 0, 0);
+    double reach = 0; // squared: the centroid of a simple polygon is no farther from a corner than another one
+    for (Index c = first + 1; c < end; ++c)
     {
-      for (Index c = first + 1; c + 1 < end; ++c)
-      {
-        const Vector_3 u = point(vertex(c)) - origin;
-        const Vector_3 v = point(vertex(c + 1)) - origin;
-        sum += (u + v) * ((cross_product(u, v) * normal) / (6 * area * area));
-      }
-      return origin + sum;
+      const Vector_3 v = point(vertex(c)) - origin;
+      const Vector_3 u = point(vertex(c - 1)) - origin;
+      sum += v;
+      moment += (u + v) * ((cross_product(u, v) * normal) / (6 * area * area));
+      reach = (std::max)(reach, v.squared_length());
     }
-    for (Index c = first; c < end; ++c)
-      sum += point(vertex(c)) - origin;
-    return origin + sum / static_cast<double>(end - first);
+    const bool is_polygon = end - first > 3;
+    return origin + (is_polygon && moment.squared_length() <= reach
+                       ? moment
+                       : sum / static_cast<double>(end - first));
   }
 
   void measure_faces()

@@ -67,21 +67,26 @@ inline double normalize(std::vector<std::array<double, 3>>& points)
   return std::ldexp(1., exponent);
 }
 
-// Numbers the vertices in the order of `vertices(mesh)` and returns their coordinates.
+// Numbers the vertices that have a face, in the order of `vertices(mesh)`, and returns their coordinates.
+// Isolated vertices are no part of the surface: a far one would make the rest of the mesh tiny.
 template <typename FaceGraph, typename VertexPointMap, typename VertexNumbers>
 std::vector<std::array<double, 3>> read_points(const FaceGraph& mesh,
                                                VertexPointMap vpm,
                                                VertexNumbers& numbers)
 {
   std::vector<std::array<double, 3>> points;
+  std::size_t position = 0;
   for (const auto v : vertices(mesh))
   {
+    const std::size_t i = position++;
+    if (halfedge(v, mesh) == boost::graph_traits<FaceGraph>::null_halfedge())
+      continue;
     const auto& p = get(vpm, v);
     const std::array<double, 3> xyz = {CGAL::to_double(p.x()), CGAL::to_double(p.y()),
                                        CGAL::to_double(p.z())};
     for (double x : xyz)
       if (!std::isfinite(x))
-        throw std::invalid_argument("tmesh: vertex " + std::to_string(points.size()) +
+        throw std::invalid_argument("tmesh: vertex " + std::to_string(i) +
                                     " has a coordinate that is not finite");
     put(numbers, v, static_cast<Surface_part::Index>(points.size()));
     points.push_back(xyz);
