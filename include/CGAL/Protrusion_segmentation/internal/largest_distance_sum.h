@@ -80,7 +80,9 @@ Surface_part::Index largest_distance_sum(const Surface_part& part, Distances& di
     for (Index f = 0; f < n; ++f)
     {
       bounds[f] = (std::min)(bounds[f], (sum + n * from_face[f]) * rounding);
-      if (!visited[f] && (bounds[f] > widest_bound || (bounds[f] == widest_bound && widest == n)))
+      // at the bound `largest` a face can tie at most, which matters only if it is a lower one
+      if (!visited[f] &&
+          (bounds[f] > widest_bound || (bounds[f] == widest_bound && widest == n && f < best)))
       {
         widest_bound = bounds[f];
         widest = f;
