@@ -84,8 +84,10 @@ public:
             sum_of_nearest[f] = sum;
           }
       }
+      // the sum from the landmark and the way to it for all other faces; less what the former holds for the
+      // face itself, at distance 0
       for (Index f = 0; f < n; ++f)
-        sum_of_nearest[f] += n * m_to_landmark[f];
+        sum_of_nearest[f] += (n - 2.) * m_to_landmark[f];
       m_face_of_largest_sum = static_cast<Index>(
         std::max_element(sum_of_nearest.begin(), sum_of_nearest.end()) - sum_of_nearest.begin());
     }
