@@ -48,8 +48,10 @@ public:
     {
       const double mean = sum / static_cast<double>(num_edges(m_graph));
       m_buckets_per_unit = 1 / mean;
+      // An arc ends at most longest / mean + 1 buckets further, and one more where rounding moves its ends
+      // to different sides of a bucket's limit. The ring must be longer than that.
       if (longest <= mean * max_buckets)
-        m_buckets.resize(static_cast<std::size_t>(longest / mean) + 2);
+        m_buckets.resize(static_cast<std::size_t>(longest / mean) + 3);
     }
   }
 
