@@ -5,7 +5,7 @@
 //   make_example_mesh octopus|teddy|hand|horse|chair FILE [--faces N]
 //
 // Each shape is the zero set of a function (see example_shapes.h), meshed by Mesh_3. The same
-// arguments give the same mesh.
+// arguments and version of CGAL give the same mesh.
 
 #include "example_shapes.h"
 
@@ -13,6 +13,7 @@
 #include <CGAL/Mesh_complex_3_in_triangulation_3.h>
 #include <CGAL/Mesh_criteria_3.h>
 #include <CGAL/Mesh_triangulation_3.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/facets_in_complex_3_to_triangle_mesh.h>
@@ -50,6 +51,9 @@ Mesh mesh_surface(const Shape& shape, double size)
     domain, criteria, params::no_perturb(), params::no_exude(), params::manifold());
   Mesh mesh;
   CGAL::facets_in_complex_3_to_triangle_mesh(complex, mesh);
+  // Not every version of CGAL turns the faces outward.
+  if(!CGAL::Polygon_mesh_processing::is_outward_oriented(mesh))
+    CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
   return mesh;
 }
 
