@@ -9,6 +9,7 @@
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Histogram_border.h>
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
+#include <CGAL/Protrusion_segmentation/Minimum_cut_border.h>
 #include <CGAL/Protrusion_segmentation/internal/segment_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -140,7 +141,7 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 {
   return segmentation_via_protrusion_tips(tmesh, segment_ids, number_of_segments,
                                           Protrusion_segmentation::Geodesic_distance(),
-                                          Protrusion_segmentation::Histogram_border(), np);
+                                          Protrusion_segmentation::Minimum_cut_border(), np);
 }
 
 /*!
@@ -156,7 +157,7 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return segmentation_via_protrusion_tips(tmesh, segment_ids, Protrusion_segmentation::Geodesic_distance(),
-                                          Protrusion_segmentation::Histogram_border(), np);
+                                          Protrusion_segmentation::Minimum_cut_border(), np);
 }
 
 /*!

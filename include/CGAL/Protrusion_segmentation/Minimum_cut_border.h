@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_MINIMUM_CUT_BORDER_H
+#define CGAL_PROTRUSION_SEGMENTATION_MINIMUM_CUT_BORDER_H
+
+#include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_segmentation.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationBorders
+
+Borders along concave seams: the default border method.
+
+A cut costs its length, little where it runs along a concave seam. Among the level sets of the distances
+from protrusion tips, those are candidates that cost least for the area that they cut off. A candidate is
+replaced by the minimum cut in a band around it and scored by its cost and by how suddenly the surface
+widens behind it. The best cut of all segments splits its segment; so the segmentations for different
+numbers of segments are nested.
+
+Cuts are searched on a coarse graph of some thousand nodes, so that the time for a cut hardly depends on the
+number of faces. Parts of less than 0.2 % of the area of the surface are not cut off.
+
+\cgalModels `ProtrusionBorder`
+*/
+class Minimum_cut_border
+{
+public:
+#ifndef DOXYGEN_RUNNING
+  template <typename Distance, typename Visitor>
+  internal::Segment_forest segment(const Surface_part& surface,
+                                   const Distance& distance,
+                                   std::optional<std::size_t> number_of_segments,
+                                   internal::Monitor<Visitor>& monitor) const
+  {
+    internal::Cut_segmentation<Distance, Visitor> segmentation(surface, distance, monitor);
+    return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
+                              : segmentation.with_evident_protrusions();
+  }
+  template <typename Distance, typename Visitor>
+  internal::Segment_forest segment_from_tips(const Surface_part& surface,
+                                             const Distance& distance,
+                                             const std::vector<Surface_part::Index>& tips,
+                                             internal::Monitor<Visitor>& monitor) const
+  {
+    return internal::Cut_segmentation<Distance, Visitor>(surface, distance, monitor).from_tips(tips);
+  }
+#endif
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_MINIMUM_CUT_BORDER_H

@@ -1,0 +1,314 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_SEGMENTATION_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_SEGMENTATION_H
+
+#include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Monitor.h>
+#include <CGAL/Protrusion_segmentation/internal/Segment_forest.h>
+#include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/coarsen_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/extract_part.h>
+#include <CGAL/Protrusion_segmentation/internal/make_seam_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/minimum_cut.h>
+#include <CGAL/Protrusion_segmentation/internal/select_protrusion_tips.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Splits the part with the best cut of all, again and again. Cuts are searched on a coarse graph; the one
+// that is taken is transferred to the faces, where a minimum cut in a narrow band makes its border.
+template <typename Distance, typename Visitor>
+class Cut_segmentation
+{
+public:
+  using Index = Surface_part::Index;
+  using Nodes = Graph_partition::Nodes;
+
+  Cut_segmentation(const Surface_part& surface, const Distance& distance, Monitor<Visitor>& monitor)
+    : m_surface(surface),
+      m_distance(distance),
+      m_monitor(monitor),
+      m_forest(surface),
+      m_fine_graph(make_seam_graph(surface)),
+      m_coarse(coarsen(m_fine_graph, number_of_nodes)),
+      m_fine(m_fine_graph, m_forest.labels),
+      m_coarse_partition(m_coarse.graph, coarse_labels()),
+      m_search(m_coarse_partition),
+      m_extract(surface),
+      m_number(surface.number_of_faces(), Surface_part::no_face()),
+      m_parts(m_forest.number_of_segments())
+  {
+    for (Index i = 0; i < m_coarse.graph.number_of_nodes(); ++i)
+      m_parts[m_coarse_partition.label(i)].nodes.push_back(i);
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
+      m_parts[m_forest.labels[f]].faces.push_back(f);
+  }
+
+  Segment_forest with_number_of_segments(std::size_t k) { return split(k, infinite()); }
+  Segment_forest with_evident_protrusions()
+  {
+    return split((std::numeric_limits<std::size_t>::max)(), largest_evident_score);
+  }
+
+  // Cuts off, for one tip after the other, the protrusion with the best border that has the tip but none of
+  // the other tips.
+  Segment_forest from_tips(const std::vector<Index>& tips)
+  {
+    for (Index tip : tips)
+    {
+      m_monitor.check();
+      const Index p = m_fine.label(tip);
+      const Index node = m_coarse.node[tip];
+      if (m_coarse_partition.label(node) != p)
+        continue;
+      m_parts[p].cuts = m_search.cuts(p, m_parts[p].nodes, {m_search.field_of_tip(p, node)});
+      const auto holds_only_this_tip = [&](const Cut& cut)
+      {
+        m_coarse_partition.mark(m_parts[p].nodes, cut.inner);
+        return m_coarse_partition.is_inner(node) &&
+               std::none_of(tips.begin(), tips.end(),
+                            [&](Index other)
+                            {
+                              return other != tip && m_fine.label(other) == p &&
+                                     m_coarse_partition.is_inner(m_coarse.node[other]);
+                            });
+      };
+      const auto best =
+        std::find_if(m_parts[p].cuts.begin(), m_parts[p].cuts.end(), holds_only_this_tip);
+      if (best != m_parts[p].cuts.end())
+        take(p, Cut(*best));
+    }
+    return finish();
+  }
+
+private:
+  // The structure of a shape of up to some dozen parts shows in that many nodes.
+  static constexpr Index number_of_nodes = 3000;
+  // Cuts that score worse separate nothing that people would separate.
+  static constexpr double largest_evident_score = 0.1;
+  static constexpr double infinite() { return (std::numeric_limits<double>::infinity)(); }
+
+  struct Part
+  {
+    Nodes nodes; // of the coarse graph
+    Nodes faces;
+    std::vector<Cut> cuts; // best first
+    bool is_searched = false;
+  };
+
+  std::vector<Index> coarse_labels() const
+  {
+    std::vector<Index> labels(m_coarse.graph.number_of_nodes());
+    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
+      labels[m_coarse.node[f]] = m_forest.labels[f];
+    return labels;
+  }
+
+  Segment_forest split(std::size_t k, double largest_score)
+  {
+    while (m_forest.number_of_segments() < k)
+    {
+      m_monitor.progress(m_forest.number_of_segments(), k);
+      search_new_parts();
+      const std::optional<Index> best = part_with_best_cut(largest_score);
+      if (!best)
+        break;
+      const Cut cut = std::move(m_parts[*best].cuts.front());
+      m_parts[*best].cuts.erase(m_parts[*best].cuts.begin());
+      take(*best, cut);
+    }
+    return finish();
+  }
+
+  Segment_forest finish()
+  {
+    m_monitor.visitor().distances_computed(m_search.number_of_runs());
+    m_forest.labels = m_fine.labels();
+    return std::move(m_forest);
+  }
+
+  void search_new_parts()
+  {
+    const Stage_scope<Visitor> stage(m_monitor.visitor(), Stage::TIPS);
+    for (Index p = 0; p < m_parts.size(); ++p)
+    {
+      if (m_parts[p].is_searched)
+        continue;
+      m_monitor.check();
+      m_parts[p].cuts = m_search.cuts(p, m_parts[p].nodes, fields(p));
+      m_parts[p].is_searched = true;
+    }
+  }
+
+  std::optional<Index> part_with_best_cut(double largest_score) const
+  {
+    std::optional<Index> best;
+    for (Index p = 0; p < m_parts.size(); ++p)
+      if (!m_parts[p].cuts.empty() && m_parts[p].cuts.front().score <= largest_score &&
+          (!best || m_parts[p].cuts.front().score < m_parts[*best].cuts.front().score))
+        best = p;
+    return best;
+  }
+
+  // The geodesic distance is computed on the coarse graph, with arcs lengthened across concave seams; any
+  // other distance on the faces of the part, a node being as far as its faces are on average.
+  std::vector<Nodes> fields(Index p)
+  {
+    if constexpr (std::is_same_v<Distance, Geodesic_distance>)
+      return m_search.tip_fields(p, m_parts[p].nodes);
+    else
+      return fields_of_distance(p);
+  }
+
+  std::vector<Nodes> fields_of_distance(Index p)
+  {
+    constexpr std::size_t number_of_tips = 6; // every one costs a distance computation on all faces
+    const Extracted_part extracted = m_extract(m_parts[p].faces);
+    auto distances = m_distance.on(extracted.part, m_monitor.random_seed());
+    std::vector<Nodes> fields;
+    select_protrusion_tips(
+      extracted.part, distances, number_of_tips, [](Index) { return true; },
+      [&](Index, const std::vector<double>& from_tip)
+      {
+        std::vector<double> mean(m_coarse.graph.number_of_nodes(), 0);
+        std::vector<Index> count(m_coarse.graph.number_of_nodes(), 0);
+        for (Index f = 0; f < from_tip.size(); ++f)
+        {
+          const Index node = m_coarse.node[extracted.faces[f]];
+          mean[node] += (from_tip[f] - mean[node]) / ++count[node];
+        }
+        Nodes order = m_parts[p].nodes;
+        std::stable_sort(order.begin(), order.end(),
+                         [&](Index a, Index b) { return mean[a] < mean[b]; });
+        fields.push_back(std::move(order));
+      });
+    m_monitor.visitor().distances_computed(distances.number_of_runs());
+    return fields;
+  }
+
+  // Makes the two sides of a cut parts of their own, unless all faces lie on one side.
+  void take(Index p, const Cut& cut)
+  {
+    const Stage_scope<Visitor> stage(m_monitor.visitor(), Stage::BORDERS);
+    const Nodes inner_faces = transfer(p, cut.inner);
+    if (inner_faces.empty() || inner_faces.size() == m_parts[p].faces.size())
+      return;
+    const Index id = m_forest.add_segment(p);
+    m_parts.emplace_back();
+    move_nodes(m_coarse_partition, m_parts[p].nodes, m_parts[id].nodes, cut.inner, id);
+    report(p, id, cut, inner_faces);
+    move_nodes(m_fine, m_parts[p].faces, m_parts[id].faces, inner_faces, id);
+    m_parts[p].is_searched = false;
+  }
+
+  // Gives the nodes of `inner` to part `id`.
+  static void move_nodes(
+    Graph_partition& partition, Nodes& from, Nodes& to, const Nodes& inner, Index id)
+  {
+    partition.mark(from, inner);
+    Nodes rest;
+    for (Index i : from)
+      (partition.is_inner(i) ? to : rest).push_back(i);
+    for (Index i : to)
+      partition.set_label(i, id);
+    from = std::move(rest);
+  }
+
+  // The faces on the inner side of a coarse cut, with the minimum cut near it as border. Borders made before
+  // follow the faces, not the nodes: faces of this part whose node belongs to another part go with their
+  // neighbours.
+  Nodes transfer(Index p, const Nodes& inner_nodes)
+  {
+    constexpr Band band = {0.15, 2, 0.7};
+    const Nodes& faces = m_parts[p].faces;
+    m_coarse_partition.mark(m_parts[p].nodes, inner_nodes);
+    Nodes known, inner;
+    std::vector<bool> is_known(faces.size(), false);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+      const Index node = m_coarse.node[faces[i]];
+      m_number[faces[i]] = static_cast<Index>(i);
+      is_known[i] = m_coarse_partition.label(node) == p;
+      m_fine.set_inner(faces[i], is_known[i] && m_coarse_partition.is_inner(node));
+      if (is_known[i])
+        known.push_back(faces[i]);
+    }
+    for (std::size_t i = 0; i < known.size(); ++i)
+      for (Index arc : m_fine_graph.arcs(known[i]))
+      {
+        const Index g = m_fine_graph.target[arc];
+        if (m_fine.label(g) != p || is_known[m_number[g]])
+          continue;
+        is_known[m_number[g]] = true;
+        m_fine.set_inner(g, m_fine.is_inner(known[i]));
+        known.push_back(g);
+      }
+    for (Index f : faces)
+      m_number[f] = Surface_part::no_face();
+    inner = m_fine.inner_nodes(faces);
+    if (inner.empty() || inner.size() == faces.size())
+      return inner;
+    inner = m_fine.connect_sides(faces, p, inner);
+    inner = refine_cut(m_fine, p, faces, inner, band, m_number);
+    return m_fine.connect_sides(faces, p, inner);
+  }
+
+  // `inner_faces` are marked and still have the label of their parent.
+  void report(Index parent, Index id, const Cut& cut, const Nodes& inner_faces)
+  {
+    const double unit = m_monitor.unit() * std::sqrt(m_surface.area());
+    Protrusion protrusion;
+    protrusion.segment = id;
+    protrusion.parent = parent;
+    protrusion.score = cut.score;
+    protrusion.area = m_fine.area(inner_faces) * unit * unit;
+    double length = 0;
+    for (Index f : inner_faces)
+      for (Index arc : m_fine_graph.arcs(f))
+        if (!m_fine.is_inner(m_fine_graph.target[arc]) || m_fine.label(m_fine_graph.target[arc]) != parent)
+          length += m_fine_graph.border_length[arc];
+    protrusion.border_length = length * unit;
+    const Nodes along_cut = m_fine.nodes_along_cut(parent, inner_faces).first;
+    const Nodes order = m_fine.nodes_by_distance(
+      along_cut, [&](Index i) { return m_fine.label(i) == parent && m_fine.is_inner(i); },
+      m_fine_graph.length);
+    protrusion.tip = order.back();
+    protrusion.border_distance = m_fine.distance(order.back()) * unit;
+    m_monitor.visitor().tip_found(protrusion.tip);
+    m_monitor.visitor().protrusion_found(protrusion);
+  }
+
+  const Surface_part& m_surface;
+  const Distance& m_distance;
+  Monitor<Visitor>& m_monitor;
+  Segment_forest m_forest;
+  Seam_graph m_fine_graph;
+  Coarse_graph m_coarse;
+  Graph_partition m_fine;
+  Graph_partition m_coarse_partition;
+  Cut_search m_search;
+  Part_extractor m_extract;
+  std::vector<Index> m_number;
+  std::vector<Part> m_parts; // by label
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_SEGMENTATION_H

@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_LEVEL_SET_CUTS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_LEVEL_SET_CUTS_H
+
+#include <CGAL/Protrusion_segmentation/internal/Graph_partition.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// The cost of a cut relative to the area of its smaller side. The exponent lies between the relative length
+// of a loop on a surface, 1/2, which finds the smallest necks, and the ratio cut, 1, which finds halves.
+inline double relative_cost(double cost, double area, double part_area)
+{
+  constexpr double exponent = 0.65;
+  // a side smaller than that is a detail of the mesh and no part of the shape
+  constexpr double least_area = 0.002;
+  const double smaller = (std::min)(area, part_area - area);
+  return smaller < least_area ? (std::numeric_limits<double>::infinity)()
+                              : cost * std::exp(-exponent * std::log(smaller));
+}
+
+// A component of a level set: the nodes connected to `node` over nodes not after it in the field's order, or
+// not before it if `descending`.
+struct Level_set
+{
+  double relative_cost;
+  Seam_graph::Index node;
+  std::size_t field;
+  bool descending;
+};
+
+// Finds, among all components of all sublevel sets of a field, the best one in each branch of their merge
+// tree. One union-find sweep with the area and the cost of the cut around each component, nearly linear.
+class Level_set_sweep
+{
+public:
+  using Index = Seam_graph::Index;
+  using Nodes = Graph_partition::Nodes;
+
+  explicit Level_set_sweep(const Graph_partition& partition)
+    : m_partition(partition),
+      m_rank(partition.graph().number_of_nodes(), 0),
+      m_parent(partition.graph().number_of_nodes(), 0),
+      m_components(partition.graph().number_of_nodes())
+  {}
+
+  // `order` holds the nodes of one part, lowest first; the best sets are added to `level_sets`.
+  void operator()(const Nodes& order,
+                  double part_area,
+                  std::size_t field,
+                  bool descending,
+                  std::vector<Level_set>& level_sets)
+  {
+    const auto add = [&](const Component& component)
+    {
+      if (component.best < (std::numeric_limits<double>::infinity)())
+        level_sets.push_back({component.best, component.best_node, field, descending});
+    };
+    for (std::size_t i = 0; i < order.size(); ++i)
+      m_rank[order[i]] = static_cast<Index>(i);
+    for (Index node : order)
+    {
+      const Index root = absorb(node, part_area, add);
+      Component& component = m_components[root];
+      const double cost = relative_cost(component.cost, component.area, part_area);
+      if (cost < component.best)
+      {
+        component.best = cost;
+        component.best_node = node;
+      }
+    }
+    if (!order.empty())
+      add(m_components[find(order.back())]);
+  }
+
+private:
+  struct Component
+  {
+    double area;
+    double cost;
+    double best; // least relative cost since the last merger of two components
+    Index best_node;
+
+    void forget_best() { best = (std::numeric_limits<double>::infinity)(); }
+  };
+
+  Index find(Index i)
+  {
+    while (m_parent[i] != i)
+      i = m_parent[i] = m_parent[m_parent[i]];
+    return i;
+  }
+
+  // Adds `node` to the components that it touches, merging them; returns the root of the result.
+  template <typename Add>
+  Index absorb(Index node, double part_area, Add add)
+  {
+    const Seam_graph& graph = m_partition.graph();
+    m_parent[node] = node;
+    m_components[node] = {graph.area[node], 0, 0, node};
+    m_components[node].forget_best();
+    Index root = node;
+    double cost = 0;
+    for (Index arc : graph.arcs(node))
+    {
+      const Index neighbor = graph.target[arc];
+      if (m_partition.label(neighbor) != m_partition.label(node))
+        continue;
+      if (m_rank[neighbor] > m_rank[node])
+      {
+        cost += graph.capacity[arc];
+        continue;
+      }
+      cost -= graph.capacity[arc];
+      const Index other = find(neighbor);
+      if (other != root)
+        root = merge(root, other, part_area, add);
+    }
+    m_components[root].cost += cost;
+    return root;
+  }
+
+  template <typename Add>
+  Index merge(Index a, Index b, double part_area, Add add)
+  {
+    const bool a_counts = relative_cost(1, m_components[a].area, part_area) < infinite();
+    const bool b_counts = relative_cost(1, m_components[b].area, part_area) < infinite();
+    if (a_counts && b_counts) // two branches end here
+    {
+      add(m_components[a]);
+      add(m_components[b]);
+    }
+    if (m_components[a].area < m_components[b].area)
+      std::swap(a, b);
+    m_parent[b] = a;
+    m_components[a].area += m_components[b].area;
+    m_components[a].cost += m_components[b].cost;
+    if (a_counts == b_counts)
+      m_components[a].forget_best();
+    return a;
+  }
+
+  static constexpr double infinite() { return (std::numeric_limits<double>::infinity)(); }
+
+  const Graph_partition& m_partition;
+  std::vector<Index> m_rank;
+  std::vector<Index> m_parent;
+  std::vector<Component> m_components;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_LEVEL_SET_CUTS_H

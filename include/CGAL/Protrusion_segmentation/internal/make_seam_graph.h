@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MAKE_SEAM_GRAPH_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MAKE_SEAM_GRAPH_H
+
+#include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/Seam_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/smooth_normals.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// The constants of the weights, in units of the square root of the area of the surface. Chosen on half of the
+// development models of the Princeton benchmark; all lie on plateaus.
+struct Seam_constants
+{
+  // Radius over which normals are averaged; between .015 and .05 without effect.
+  static constexpr double normal_radius = 0.03;
+  // A cut along a seam of concave curvature c costs least + (1 - least) exp(-decay c) per unit of length.
+  static constexpr double least_cost = 0.02;
+  static constexpr double cost_decay = 0.1;
+  // Length added to an arc per radian of concave angle; between 0 and .4 without effect.
+  static constexpr double length_of_angle = 0.15;
+  // Curvature beyond it, a radius of 1/60, is tessellation.
+  static constexpr double largest_curvature = 60;
+};
+
+// Six times the signed volume of a closed surface. Of one with borders it is taken as if every border were
+// closed by a fan around the centre of the surface's box, which is the origin.
+inline double signed_volume(const Surface_part& part)
+{
+  double volume = 0;
+  const Surface_part::Point_3 origin(0, 0, 0);
+  for (Surface_part::Index f = 0; f < part.number_of_faces(); ++f)
+    volume += part.area_vector(f) * (part.centroid(f) - origin);
+  return volume;
+}
+
+// The dual graph of a surface with the weights of its seams. An edge is concave if the smoothed normals of
+// its two faces lean towards each other; which side is inside is decided by the sign of the volume.
+inline Seam_graph make_seam_graph(const Surface_part& part)
+{
+  using Index = Surface_part::Index;
+  using Vector_3 = Surface_part::Vector_3;
+  using Constants = Seam_constants;
+  const double unit = std::sqrt(part.area());
+  const double outward = signed_volume(part) < 0 ? -1 : 1;
+  const std::vector<Vector_3> normals = smooth_normals(part, Constants::normal_radius * unit);
+
+  Seam_graph graph;
+  graph.first_arc.reserve(part.number_of_faces() + 1);
+  for (std::vector<float>* weights :
+       {&graph.length, &graph.concave_length, &graph.border_length, &graph.capacity})
+    weights->reserve(part.number_of_corners());
+  graph.target.reserve(part.number_of_corners());
+  graph.opposite.reserve(part.number_of_corners());
+  for (Index f = 0; f < part.number_of_faces(); ++f)
+  {
+    graph.area.push_back(part.area(f) / (unit * unit));
+    graph.centre.push_back(Surface_part::Point_3(0, 0, 0) +
+                           (part.centroid(f) - Surface_part::Point_3(0, 0, 0)) / unit);
+    for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
+    {
+      const Index g = part.neighbor(c);
+      if (g == Surface_part::no_face())
+        continue;
+      const Vector_3 step = part.centroid(g) - part.centroid(f);
+      const double length = (std::max)(std::sqrt(step.squared_length()) / unit, 1e-9);
+      const double border = part.edge_length(f, c) / unit;
+      const double cosine = (std::min)(1., (std::max)(-1., normals[f] * normals[g]));
+      const bool is_concave = outward * ((normals[g] - normals[f]) * step) < 0;
+      const double concave_angle = is_concave ? std::acos(cosine) : 0;
+      const double curvature = (std::min)(Constants::largest_curvature, concave_angle / length);
+      graph.target.push_back(g);
+      graph.length.push_back(static_cast<float>(length));
+      graph.concave_length.push_back(
+        static_cast<float>(length + Constants::length_of_angle * concave_angle));
+      graph.border_length.push_back(static_cast<float>(border));
+      graph.capacity.push_back(static_cast<float>(
+        border * (Constants::least_cost +
+                  (1 - Constants::least_cost) * std::exp(-Constants::cost_decay * curvature))));
+    }
+    graph.first_arc.push_back(static_cast<Index>(graph.target.size()));
+  }
+  find_opposite_arcs(graph);
+  return graph;
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MAKE_SEAM_GRAPH_H
