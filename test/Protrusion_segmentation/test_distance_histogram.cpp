@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The distance histogram and its candidate intervals (Section III.D.1).
+
+#include "check.h"
+#include "surface_parts.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/internal/distance_histogram.h>
+#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
+
+using namespace test_meshes;
+using namespace CGAL::Protrusion_segmentation::internal;
+
+// `count(slot)` faces in each slot.
+template <typename Count>
+Distance_histogram histogram_with_counts(Count count)
+{
+  Distance_histogram histogram;
+  histogram.range = 1;
+  for(std::size_t slot = 0; slot < number_of_slots; ++slot)
+    histogram.counts[slot] = count(slot);
+  return histogram;
+}
+
+void slots_hold_the_faces_at_their_distances()
+{
+  for(std::uint_fast32_t seed = 0; seed < 50; ++seed)
+  {
+    const Surface_part part = to_surface_part(random_surface(seed));
+    std::vector<double> distances;
+    Shortest_distances shortest(part);
+    shortest(Index(seed % 40), distances);
+    const Slots slots(distances);
+    const Distance_histogram& histogram = slots.histogram();
+    CHECK_EQUAL(histogram.range, *std::max_element(distances.begin(), distances.end()));
+    CHECK_EQUAL(histogram.slot(0), 0);
+    CHECK_EQUAL(histogram.slot(histogram.range), 99);
+
+    std::size_t total = 0;
+    const double rounding = 1e-12 * histogram.range;
+    for(std::size_t slot = 0; slot < number_of_slots; ++slot)
+    {
+      CHECK_EQUAL(slots.faces(slot).size(), histogram.counts[slot]);
+      CHECK(std::is_sorted(slots.faces(slot).begin(), slots.faces(slot).end()));
+      for(const Index f : slots.faces(slot))
+      {
+        CHECK(distances[f] >= histogram.slot_begin(slot) - rounding);
+        CHECK(distances[f] < histogram.slot_begin(slot + 1) + (slot == 99 ? 1 : rounding));
+      }
+      total += histogram.counts[slot];
+    }
+    CHECK_EQUAL(total, distances.size());
+  }
+}
+
+// Along a thin cylinder wall of 400 rings, seen from a face at its end: 4 rings a slot.
+void counts_on_a_cylinder_are_even()
+{
+  const std::size_t slices = 12;
+  const Test_mesh mesh = revolution(Profile(0.01).line(1e-3, 0, 1e-3, 4, 0), slices);
+  const Surface_part part = to_surface_part(mesh);
+  CHECK_EQUAL(part.number_of_faces(), 400 * slices);
+  std::vector<double> distances;
+  Shortest_distances shortest(part);
+  shortest(0, distances);
+  const Distance_histogram histogram = Slots(distances).histogram();
+  CHECK_CLOSE(histogram.range, 3.99, 0.01);
+  for(const Index count : histogram.counts)
+    CHECK_CLOSE(double(count), 4. * slices, 1. * slices);
+}
+
+void one_distance_fills_one_slot()
+{
+  const Distance_histogram single = Slots(std::vector<double>(7, 0)).histogram();
+  CHECK_EQUAL(single.range, 0);
+  CHECK_EQUAL(single.counts[0], 7);
+  CHECK_EQUAL(single.counts[99], 0);
+  const Distance_histogram tiny = Slots({0, 1e-310, 2e-310}).histogram(); // not normal numbers
+  CHECK_EQUAL(tiny.counts[0], 1);
+  CHECK_EQUAL(tiny.counts[50], 1);
+  CHECK_EQUAL(tiny.counts[99], 1);
+}
+
+// The smoothed contour of a step at slot 40 rises from slot 37 to slot 42; 5 slots around are taken.
+void a_step_is_one_candidate_interval()
+{
+  const std::vector<Slot_interval> intervals = candidate_intervals(
+    histogram_with_counts([](std::size_t slot) { return slot < 40 ? 10u : 30u; }));
+  CHECK_EQUAL(intervals.size(), 1);
+  CHECK_EQUAL(intervals.at(0).first, 32);
+  CHECK_EQUAL(intervals.at(0).last, 47);
+}
+
+void candidate_intervals_end_with_the_histogram()
+{
+  const std::vector<Slot_interval> intervals = candidate_intervals(
+    histogram_with_counts([](std::size_t slot) { return slot < 3 || slot > 96 ? 50u : 10u; }));
+  CHECK_EQUAL(intervals.size(), 2);
+  CHECK_EQUAL(intervals.at(0).first, 0);
+  CHECK_EQUAL(intervals.at(1).last, 99);
+}
+
+void a_narrow_bump_is_one_interval_and_a_wide_one_two()
+{
+  const auto intervals_of_bump = [](std::size_t first, std::size_t end)
+  {
+    return candidate_intervals(histogram_with_counts(
+      [=](std::size_t slot) { return slot >= first && slot < end ? 50u : 10u; }));
+  };
+  CHECK_EQUAL(intervals_of_bump(30, 45).size(), 1); // slots 22 to 37 and 37 to 52
+  CHECK_EQUAL(intervals_of_bump(30, 46).size(), 1); // slots 22 to 37 and 38 to 53
+  CHECK_EQUAL(intervals_of_bump(30, 47).size(), 2);
+
+  const std::vector<Slot_interval> wide = intervals_of_bump(30, 60);
+  CHECK_EQUAL(wide.size(), 2);
+  CHECK_EQUAL(wide.at(0).first, 22);
+  CHECK_EQUAL(wide.at(0).last, 37);
+  CHECK_EQUAL(wide.at(1).first, 52);
+  CHECK_EQUAL(wide.at(1).last, 67);
+}
+
+void even_counts_have_no_candidate_interval()
+{
+  CHECK(candidate_intervals(histogram_with_counts([](std::size_t) { return 10u; })).empty());
+}
+
+void moving_averages_shrink_at_the_ends()
+{
+  std::array<double, number_of_slots> values;
+  for(std::size_t s = 0; s < number_of_slots; ++s)
+    values[s] = double(s * s);
+  const auto average = moving_average(values, 2);
+  CHECK_CLOSE(average[0], (0 + 1 + 4) / 3., 1e-12);
+  CHECK_CLOSE(average[1], (0 + 1 + 4 + 9) / 4., 1e-12);
+  CHECK_CLOSE(average[50], 50 * 50 + 2, 1e-12);
+  CHECK_CLOSE(average[99], (97 * 97 + 98 * 98 + 99 * 99) / 3., 1e-12);
+  CHECK(moving_average(values, 0) == values);
+}
+
+int main()
+{
+  slots_hold_the_faces_at_their_distances();
+  counts_on_a_cylinder_are_even();
+  one_distance_fills_one_slot();
+  a_step_is_one_candidate_interval();
+  candidate_intervals_end_with_the_histogram();
+  a_narrow_bump_is_one_interval_and_a_wide_one_two();
+  even_counts_have_no_candidate_interval();
+  moving_averages_shrink_at_the_ends();
+  return check::result();
+}
