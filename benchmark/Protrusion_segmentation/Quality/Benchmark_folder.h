@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A folder laid out as the Princeton Segmentation Benchmark:
+//
+//   off/<model>.off                    the mesh
+//   seg/<model>/<model>_<human>.seg    a human's segmentation
+//   nSeg-ByModel.txt                   line <model>: the number of segments to ask for
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_BENCHMARK_FOLDER_H
+#define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_BENCHMARK_FOLDER_H
+
+#include "Segmentation_method.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// Classes in the order of the benchmark, twenty models each.
+const std::vector<std::string>& class_names();
+
+// Throws `std::invalid_argument` for a number that is no model's.
+std::string class_of_model(int model);
+
+struct Model
+{
+  int number = 0;
+  std::string class_name;
+  std::size_t number_of_segments = 0;
+  Mesh mesh;
+  std::vector<Labels> humans;
+};
+
+class Benchmark_folder
+{
+public:
+  // Throws `std::runtime_error` if the folder is not laid out as above.
+  explicit Benchmark_folder(const std::string& path);
+
+  // The models that are there among those of the list, such as "2,4,10-50"; "" stands for all.
+  // Throws `std::invalid_argument` if the list cannot be understood.
+  std::vector<int> models(const std::string& list) const;
+
+  // Throws `std::runtime_error` if a file is missing or malformed.
+  Model read_model(int number) const;
+
+private:
+  std::string m_path;
+  std::vector<int> m_models;                    // sorted
+  std::vector<std::size_t> m_numbers_of_segments; // of model 1, 2, ...
+};
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_BENCHMARK_FOLDER_H

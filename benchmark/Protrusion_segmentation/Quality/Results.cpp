@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Results.h"
+
+#include <algorithm>
+
+std::vector<std::string> Results::classes() const
+{
+  std::vector<std::string> result;
+  for(const std::string& name : class_names())
+    if(std::any_of(m_models.begin(), m_models.end(), [&](const Model_results& m)
+                   { return class_of_model(m.model) == name; }))
+      result.push_back(name);
+  return result;
+}
+
+Scores Results::of_class(std::size_t row, const std::string& class_name) const
+{
+  Mean_scores mean;
+  for(const Model_results& model : m_models)
+    if(class_of_model(model.model) == class_name)
+      mean.add(scores(model, row));
+  return mean.value();
+}
+
+Scores Results::of_classes(std::size_t row, const std::vector<std::string>& class_names) const
+{
+  Mean_scores mean;
+  for(const std::string& name : class_names)
+    mean.add(of_class(row, name));
+  return mean.value();
+}
+
+std::optional<Scores> Results::of_model(std::size_t row, int model) const
+{
+  for(const Model_results& m : m_models)
+    if(m.model == model)
+      return scores(m, row);
+  return std::nullopt;
+}
+
+std::size_t Results::models_without_cut_discrepancy(std::size_t row) const
+{
+  return std::size_t(std::count_if(m_models.begin(), m_models.end(), [&](const Model_results& m)
+                                   { return !scores(m, row)[Score::cut_discrepancy]; }));
+}
+
+std::size_t Results::models_with_the_segments_asked_for(std::size_t row) const
+{
+  return std::size_t(std::count_if(m_models.begin(), m_models.end(), [&](const Model_results& m)
+  {
+    return scores(m, row)[Score::segments] == double(m.number_of_segments);
+  }));
+}
+
+std::size_t Results::failures(std::size_t row) const
+{
+  if(row == 0)
+    return 0;
+  return std::size_t(std::count_if(m_models.begin(), m_models.end(), [&](const Model_results& m)
+                                   { return !m.methods[row - 1].failure.empty(); }));
+}

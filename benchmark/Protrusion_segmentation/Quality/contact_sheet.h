@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// One HTML page with a picture of each model coloured by the segments of a method, beside a
+// human's: the models on which the method is farthest from the humans come first.
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_CONTACT_SHEET_H
+#define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_CONTACT_SHEET_H
+
+#include "Results.h"
+
+#include <cstddef>
+#include <ostream>
+
+void write_contact_sheet(std::ostream& out, const Benchmark_folder& folder, const Results& results,
+                         std::size_t method);
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_CONTACT_SHEET_H

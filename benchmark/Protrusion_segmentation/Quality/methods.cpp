@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "methods.h"
+
+#include "peers.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+namespace {
+
+// Our methods are registered here.
+std::vector<Segmentation_method> our_methods()
+{
+  return {};
+}
+
+void append(std::vector<Segmentation_method>& all, const std::vector<Segmentation_method>& some)
+{
+  all.insert(all.end(), some.begin(), some.end());
+}
+
+} // namespace
+
+std::vector<Segmentation_method> all_methods()
+{
+  std::vector<Segmentation_method> all = our_methods();
+  append(all, sdf_methods());
+  append(all, clustering_methods());
+  return all;
+}
+
+std::vector<Segmentation_method> chosen_methods(const std::string& list)
+{
+  const std::vector<Segmentation_method> all = all_methods();
+  if(list.empty())
+    return all;
+  std::vector<Segmentation_method> result;
+  std::istringstream in(list);
+  for(std::string name; std::getline(in, name, ','); )
+  {
+    const auto method = std::find_if(all.begin(), all.end(), [&](const Segmentation_method& m)
+                                     { return m.name == name; });
+    if(method == all.end())
+      throw std::invalid_argument("there is no method '" + name + "'");
+    result.push_back(*method);
+  }
+  return result;
+}

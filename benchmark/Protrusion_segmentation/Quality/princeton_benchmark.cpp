@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Measures segmentation methods, ours and peers, against the human segmentations of the Princeton
+// Segmentation Benchmark:
+//
+//   princeton_benchmark --folder FOLDER [--models 2,4,10-50] [--methods K-Means,Voronoi]
+//                       [--threads N] [--seed N] [--output FOLDER] [--sheets]
+//
+// prints the tables, and writes them with one CSV file by model and one by class to the output
+// folder, with --sheets also a page of pictures for each method.
+
+#include "Benchmark_folder.h"
+#include "Model_evaluator.h"
+#include "Results.h"
+#include "contact_sheet.h"
+#include "methods.h"
+#include "reports.h"
+
+#include <CGAL/Protrusion_segmentation/internal/write_complete_file.h>
+#include <CGAL/Real_timer.h>
+
+#include <CLI/CLI.hpp>
+
+#include <atomic>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iostream>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+struct Options
+{
+  std::string folder;
+  std::string models;
+  std::string methods;
+  std::string output;
+  unsigned int threads = 1;
+  unsigned int seed = 0;
+  bool sheets = false;
+  bool list_methods = false;
+};
+
+Model_result run_method(const Segmentation_method& method, const Model& model,
+                        const Model_evaluator& evaluator, unsigned int seed)
+{
+  Model_result result;
+  CGAL::Real_timer timer;
+  timer.start();
+  try
+  {
+    result.labels = method.segment(model.mesh, model.number_of_segments, seed);
+  }
+  catch(const std::exception& exception)
+  {
+    result.failure = std::string(" failed: ") + exception.what();
+    result.labels.assign(model.mesh.number_of_faces(), 0);
+  }
+  const double seconds = timer.time();
+  result.scores = evaluator.scores(result.labels);
+  result.scores[Score::seconds] = seconds;
+  return result;
+}
+
+Model_results run_model(const Benchmark_folder& folder, int number,
+                        const std::vector<Segmentation_method>& methods, const Options& options)
+{
+  const Model model = folder.read_model(number);
+  const Model_evaluator evaluator(model);
+  Model_results results;
+  results.model = number;
+  results.number_of_segments = model.number_of_segments;
+  results.humans = evaluator.human_scores();
+  results.typical_human = evaluator.most_typical_human();
+  for(const Segmentation_method& method : methods)
+    results.methods.push_back(run_method(method, model, evaluator, options.seed));
+  return results;
+}
+
+// Runs the models in parallel, each method on one thread; the results do not depend on it.
+class Runner
+{
+public:
+  Runner(const Benchmark_folder& folder, const std::vector<Segmentation_method>& methods,
+         const Options& options)
+    : m_folder(folder), m_methods(methods), m_options(options)
+    , m_models(folder.models(options.models)), m_results(m_models.size())
+  {
+    if(m_models.empty())
+      throw std::invalid_argument("none of the models is in the folder");
+  }
+
+  std::vector<Model_results> run()
+  {
+    std::vector<std::thread> threads;
+    for(unsigned int i = 0; i < (std::max)(1u, m_options.threads); ++i)
+      threads.emplace_back([this]() { work(); });
+    for(std::thread& thread : threads)
+      thread.join();
+    if(m_exception)
+      std::rethrow_exception(m_exception);
+    return std::move(m_results);
+  }
+
+private:
+  void work()
+  {
+    try
+    {
+      for(std::size_t i; (i = m_next++) < m_models.size(); )
+      {
+        m_results[i] = run_model(m_folder, m_models[i], m_methods, m_options);
+        const std::lock_guard<std::mutex> lock(m_mutex);
+        std::cerr << "model " << m_models[i] << " (" << ++m_number_done << " of "
+                  << m_models.size() << ")" << std::endl;
+      }
+    }
+    catch(...)
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      m_exception = std::current_exception();
+      m_next = m_models.size(); // the other threads stop as well
+    }
+  }
+
+  const Benchmark_folder& m_folder;
+  const std::vector<Segmentation_method>& m_methods;
+  const Options& m_options;
+  std::vector<int> m_models;
+  std::vector<Model_results> m_results;
+  std::atomic<std::size_t> m_next{0};
+  std::size_t m_number_done = 0;
+  std::mutex m_mutex;
+  std::exception_ptr m_exception;
+};
+
+void write_output(const std::string& folder, const std::string& name,
+                  const std::function<void(std::ostream&)>& write)
+{
+  const std::string file = (std::filesystem::path(folder) / name).string();
+  if(!CGAL::Protrusion_segmentation::internal::write_complete_file(file, write))
+    throw std::runtime_error(file + ": cannot be written");
+}
+
+void write_outputs(const Options& options, const Benchmark_folder& folder, const Results& results)
+{
+  std::filesystem::create_directories(options.output);
+  write_output(options.output, "models.csv",
+               [&](std::ostream& out) { write_models_csv(out, results); });
+  write_output(options.output, "classes.csv",
+               [&](std::ostream& out) { write_classes_csv(out, results); });
+  write_output(options.output, "tables.md",
+               [&](std::ostream& out) { write_markdown(out, results); });
+  if(options.sheets)
+    for(std::size_t i = 0; i < results.methods().size(); ++i)
+      write_output(options.output, results.methods()[i] + ".html", [&](std::ostream& out)
+                   { write_contact_sheet(out, folder, results, i); });
+}
+
+void run(const Options& options)
+{
+  const std::vector<Segmentation_method> methods = chosen_methods(options.methods);
+  std::vector<std::string> names;
+  for(const Segmentation_method& method : methods)
+    names.push_back(method.name);
+
+  const Benchmark_folder folder(options.folder);
+  const Results results(names, Runner(folder, methods, options).run());
+  write_markdown(std::cout, results);
+  if(!options.output.empty())
+    write_outputs(options, folder, results);
+}
+
+int main(int argc, char** argv)
+{
+  Options options;
+  CLI::App app("Measures segmentation methods on the Princeton Segmentation Benchmark.",
+               "princeton_benchmark");
+  app.add_option("--folder", options.folder, "benchmark: off/, seg/ and nSeg-ByModel.txt");
+  app.add_option("--models", options.models, "such as 2,4,10-50 (default: all that are there)");
+  app.add_option("--methods", options.methods, "such as K-Means,Voronoi (default: all)");
+  app.add_option("--threads", options.threads, "models at a time (default: 1)");
+  app.add_option("--seed", options.seed, "of what is random (default: 0)");
+  app.add_option("--output", options.output, "folder for tables.md, models.csv, classes.csv");
+  app.add_flag("--sheets", options.sheets, "write a page of pictures for each method as well");
+  app.add_flag("--list-methods", options.list_methods, "print the names of the methods");
+  CLI11_PARSE(app, argc, argv);
+
+  try
+  {
+    if(options.list_methods)
+      for(const Segmentation_method& method : all_methods())
+        std::cout << method.name << "\n";
+    else
+      run(options);
+  }
+  catch(const std::exception& exception)
+  {
+    std::cerr << "princeton_benchmark: " << exception.what() << std::endl;
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The figures of the paper's tables III to VII, to be printed beside ours.
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_PUBLISHED_H
+#define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_PUBLISHED_H
+
+#include "Scores.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+// The eleven classes of tables III to V.
+const std::vector<std::string>& published_classes();
+
+// The columns of the tables.
+enum class Published_method { protrusion, randomized_cuts, k_means };
+constexpr Published_method published_methods[] =
+  {Published_method::protrusion, Published_method::randomized_cuts, Published_method::k_means};
+std::string published_name(Published_method method);
+
+// Tables III (cut discrepancy), IV (Hamming distance) and V (Rand index error): the difference to
+// the humans relative to the humans' error. The paper prints it without its sign; here it has one
+// where other sources tell it. No value for other scores and classes.
+std::optional<double> published_relative(Score score, const std::string& class_name,
+                                         Published_method method);
+
+// The same as an absolute error, by means of the humans' error that the benchmark publishes.
+std::optional<double> published_absolute(Score score, const std::string& class_name,
+                                         Published_method method);
+
+// Tables VI and VII: absolute errors of single models.
+struct Published_model_scores
+{
+  int model;
+  const char* method;
+  double hamming_distance;
+  double rand_index_error;
+  double cut_discrepancy;
+};
+const std::vector<Published_model_scores>& published_model_scores();
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_PUBLISHED_H
