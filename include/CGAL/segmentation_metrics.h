@@ -73,8 +73,8 @@ struct Segmentation_metrics
  *
  * Faces are counted, not weighted. The two segmentations may be exchanged.
  * As in the benchmark's program, the number of pairs by which it divides is
- * \f$ n \lfloor (n - 1) / 2 \rfloor \f$, that is short of the number of pairs by the factor
- * \f$ 1 - 1 / (n - 1) \f$ if the number of faces \f$ n \f$ is even. Values that get above 1
+ * <i>n</i> &lfloor;(<i>n</i> - 1) / 2&rfloor;, that is short of the number of pairs by the factor
+ * 1 - 1 / (<i>n</i> - 1) if the number of faces <i>n</i> is even. Values that get above 1
  * by that are cut to 1; two faces are taken as one pair.
  *
  * \tparam FaceGraph a model of `FaceListGraph`
@@ -260,7 +260,7 @@ consistency_error(const FaceGraph& mesh,
  *
  * \return a number that is not negative, in average radii; no value where it is undefined
  *
- * Complexity: \f$ O(n \log n) \f$ for \f$ n \f$ vertices (two runs of Dijkstra's algorithm).
+ * Complexity: O(<i>n</i> log <i>n</i>) for <i>n</i> vertices (two runs of Dijkstra's algorithm).
  */
 template <typename FaceGraph, typename SegmentIdMap, typename ReferenceIdMap,
           typename NamedParameters = parameters::Default_named_parameters>

@@ -22,7 +22,7 @@ namespace IO {
  * \defgroup PkgProtrusionSegmentationIO Segmentation Files
  * \ingroup PkgProtrusionSegmentationRef
  *
- * The format `.seg`: line \f$ i \f$ holds the segment id of the \f$ i \f$-th face in the order of
+ * The format `.seg`: line <i>i</i> holds the segment id of the <i>i</i>-th face in the order of
  * `faces(mesh)`, which is that of the mesh file where `mesh` was read from one. An id is a decimal
  * number that is not negative; ids need not be consecutive. Blanks around an id, line ends with a
  * carriage return and blank lines at the end of the file are accepted.

@@ -53,7 +53,7 @@ struct Protrusion
 The default visitor: does nothing and never stops a segmentation. A visitor may derive from it and define
 some of its functions anew.
 
-\cgalModels `ProtrusionSegmentationVisitor`
+\cgalModels{ProtrusionSegmentationVisitor}
 */
 class Default_visitor
 {

@@ -23,13 +23,13 @@ The geodesic distance GD of Section III.B.2: the length of the shortest path in 
 The face of eq. (1) is found exactly, with a pruned search that needs a handful of shortest path
 computations in place of one per face. One computation takes linear time in practice.
 
-\cgalModels `ProtrusionDistance`
+\cgalModels{ProtrusionDistance}
 */
 class Geodesic_distance
 {
 public:
   /// the distances on one part
-  /// \cgalModels `ProtrusionDistancesOnPart`
+  /// \cgalModels{ProtrusionDistancesOnPart}
   class On_part
   {
   public:

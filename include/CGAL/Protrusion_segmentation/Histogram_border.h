@@ -27,7 +27,7 @@ sectional-diameter histogram. The border lies where the diameter grows most, if 
 changes there too. Tips without such a border are dropped. As long as there are too few segments, tips are
 selected anew in the segment of largest area.
 
-\cgalModels `ProtrusionBorder`
+\cgalModels{ProtrusionBorder}
 */
 class Histogram_border
 {

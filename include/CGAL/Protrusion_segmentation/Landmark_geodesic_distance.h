@@ -24,22 +24,22 @@ namespace Protrusion_segmentation {
 
 The landmark-based geodesic distance LGD of Section III.B.3.
 
-Landmarks are faces drawn at random. The distance from face \f$ i \f$ to face \f$ j \f$ is the geodesic
-distance from \f$ i \f$ to its nearest landmark \f$ l(i) \f$ plus the geodesic distance from \f$ l(i) \f$
-to \f$ j \f$ (and 0 for \f$ i = j \f$). The sums of eq. (1) then need one shortest path computation per
-landmark in place of one per face.
+Landmarks are faces drawn at random. The distance from face <i>i</i> to face <i>j</i> is the geodesic
+distance from <i>i</i> to its nearest landmark <i>l</i>(<i>i</i>) plus the geodesic distance from that
+landmark to <i>j</i> (and 0 for <i>i</i> = <i>j</i>). The sums of eq. (1) then need one shortest path
+computation per landmark in place of one per face.
 
 It is here for the sake of the paper: `Geodesic_distance` finds the exact face in less time. Since the
-distance to the nearest landmark is counted once for every face \f$ j \f$, the face of eq. (1) drifts into
+distance to the nearest landmark is counted once for every face <i>j</i>, the face of eq. (1) drifts into
 the largest gap between the landmarks.
 
-\cgalModels `ProtrusionDistance`
+\cgalModels{ProtrusionDistance}
 */
 class Landmark_geodesic_distance
 {
 public:
   /// the distances on one part
-  /// \cgalModels `ProtrusionDistancesOnPart`
+  /// \cgalModels{ProtrusionDistancesOnPart}
   class On_part
   {
   public:

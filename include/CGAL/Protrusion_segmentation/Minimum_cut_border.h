@@ -29,7 +29,7 @@ numbers of segments are nested.
 Cuts are searched on a coarse graph of some thousand nodes, so that the time for a cut hardly depends on the
 number of faces. Parts of less than 0.2 % of the area of the surface are not cut off.
 
-\cgalModels `ProtrusionBorder`
+\cgalModels{ProtrusionBorder}
 */
 class Minimum_cut_border
 {

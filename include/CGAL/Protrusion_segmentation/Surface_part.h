@@ -35,7 +35,7 @@ for every edge that two different faces share. The length of an arc is the dista
 centroids of the two faces.
 
 The coordinates are those of the input mesh, moved and scaled by a power of two so that the whole
-surface fits into \f$ [-1, 1]^3 \f$: neither tiny nor huge coordinates can under- or overflow.
+surface fits into [-1, 1]<sup>3</sup>: neither tiny nor huge coordinates can under- or overflow.
 
 The memory is about 110 bytes per triangle.
 */
