@@ -17,7 +17,9 @@
 #include <iostream>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 using Options = tool::Segmentation_options;
@@ -48,12 +50,15 @@ std::string help(const std::string& text, const std::vector<tool::Choice>& choic
 }
 
 // Options of a distance or a method that was not chosen would be ignored in silence.
-void check_meanings(const CLI::App& app, const std::vector<tool::Choice>& choices, const std::string& chosen)
+void check_meanings(const CLI::App& app,
+                    const std::vector<tool::Choice>& choices,
+                    const std::string& chosen)
 {
   for (const tool::Choice& choice : choices)
     for (const std::string& option : choice.options)
       if (choice.name != chosen && app.count(option) > 0)
-        throw std::invalid_argument(option + " has no meaning with " + chosen + ", only with " + choice.name);
+        throw std::invalid_argument(option + " has no meaning with " + chosen + ", only with " +
+                                    choice.name);
 }
 
 void check_names(const Command_line& command_line)
@@ -91,26 +96,37 @@ void add_options(CLI::App& app, Command_line& command_line)
 {
   Options& options = command_line.options;
   app.add_option("input", command_line.input, "mesh: " + tool::known_formats())
-    ->required()->type_name("INPUT");
+      ->required()
+      ->type_name("INPUT");
   app.add_option("-k,--segments", options.number_of_segments,
                  "number of segments; default: as many as there are evident protrusions")
-    ->check(CLI::PositiveNumber)->type_name("N");
+      ->check(CLI::Validator(CLI::PositiveNumber).description(""))
+      ->type_name("N");
   app.add_option("--method", options.method, help("how borders are found", tool::methods()))
-    ->check(CLI::IsMember(names(tool::methods())))->type_name("NAME")->capture_default_str();
+      ->check(CLI::IsMember(names(tool::methods())).description(""))
+      ->type_name("NAME")
+      ->capture_default_str();
   app.add_option("--distance", options.distance, help("distance on the surface", tool::distances()))
-    ->check(CLI::IsMember(names(tool::distances())))->type_name("NAME")->capture_default_str();
+      ->check(CLI::IsMember(names(tool::distances())).description(""))
+      ->type_name("NAME")
+      ->capture_default_str();
   app.add_option("--landmarks", options.landmarks, "share or number of faces that are landmarks")
-    ->type_name("N%|N")->capture_default_str();
-  app.add_option("--seed", options.seed, "of all that is random")->type_name("N")->capture_default_str();
+      ->type_name("N%|N")
+      ->capture_default_str();
+  app.add_option("--seed", options.seed, "of all that is random")
+      ->type_name("N")
+      ->capture_default_str();
 
   std::string outputs = "write the segments, as the extension says; may be repeated;\n"
                         "with %d in the name one mesh per segment";
   for (const std::string& format : tool::output_formats())
     outputs += "\n" + format;
   app.add_option("-o,--output", command_line.outputs, outputs)
-    ->allow_extra_args(false)->type_name("FILE");
-  app.add_option("--json", command_line.json, "write what was found as JSON, - is the standard output")
-    ->type_name("FILE");
+      ->allow_extra_args(false)
+      ->type_name("FILE");
+  app.add_option("--json", command_line.json,
+                 "write what was found as JSON, - is the standard output")
+      ->type_name("FILE");
   app.add_flag("--quiet", command_line.is_quiet, "print errors only");
   app.callback([&]() { check(app, command_line); });
 }
@@ -131,10 +147,11 @@ std::string note_on_number(const Options& options, const tool::Segmentation& seg
   const std::size_t wanted = options.number_of_segments.value_or(found);
   std::ostringstream note;
   if (found < wanted)
-    note << "found " << found << " of " << wanted << " segments: no further protrusion has a border";
+    note << "found " << found << " of " << wanted
+         << " segments: no further protrusion has a border";
   else if (found > wanted)
-    note << "found " << found << " segments instead of " << wanted << ": each of the mesh's " << found
-         << " connected components is at least one";
+    note << "found " << found << " segments instead of " << wanted << ": each of the mesh's "
+         << found << " connected components is at least one";
   return note.str();
 }
 
@@ -143,11 +160,13 @@ tool::Segmentation segment(const tool::Mesh& mesh, const Command_line& command_l
   const std::size_t wanted = command_line.options.number_of_segments.value_or(0);
   if (wanted > mesh.number_of_faces())
     throw tool::Error(command_line.input, "has " + std::to_string(mesh.number_of_faces()) +
-                                            " faces, too few for " + std::to_string(wanted) + " segments");
+                                              " faces, too few for " + std::to_string(wanted) +
+                                              " segments");
   tool::Progress_bar bar(!command_line.is_quiet && tool::is_standard_error_a_terminal());
   return tool::segment(mesh, command_line.options,
-                       [&](double share, const std::string& stage, std::size_t protrusions)
-                       { bar.show(share, std::to_string(protrusions) + " protrusions  " + stage); });
+                       [&](double share, const std::string& stage, std::size_t protrusions) {
+                         bar.show(share, std::to_string(protrusions) + " protrusions  " + stage);
+                       });
 }
 
 void print_summary(const Command_line& command_line,
@@ -159,8 +178,8 @@ void print_summary(const Command_line& command_line,
   if (command_line.json == "-")
     return; // nothing else shall be on the standard output
   std::cout << command_line.input << ": " << segmentation.segment_ids.size() << " faces, "
-            << segmentation.number_of_segments << " segments, " << std::fixed << std::setprecision(3)
-            << segmentation.seconds << " s\n";
+            << segmentation.number_of_segments << " segments, " << std::fixed
+            << std::setprecision(3) << segmentation.seconds << " s\n";
   for (const std::string& name : command_line.outputs)
     std::cout << "wrote " << name << "\n";
   if (!command_line.json.empty())
@@ -179,8 +198,9 @@ void run(const Command_line& command_line)
     tool::add_output(name, mesh, segmentation, files);
   if (!command_line.json.empty())
     files.add(command_line.json,
-              [&](std::ostream& out)
-              { tool::write_json(out, command_line.input, command_line.options, segmentation, note); });
+              [&](std::ostream& out) {
+                tool::write_json(out, command_line.input, command_line.options, segmentation, note);
+              });
   files.publish();
   if (!command_line.is_quiet)
     print_summary(command_line, segmentation, note);

@@ -15,14 +15,16 @@
 #include <system_error>
 #include <vector>
 
-namespace tool {
+namespace tool
+{
 
 namespace fs = std::filesystem;
 using CGAL::Protrusion_segmentation::internal::Temporary_file;
 
-// Files that appear all together: each is written under a temporary name beside its place, and renamed
-// only when all are complete. Whatever is not published is removed, made folders included.
-// The name "-" is the standard output. It, devices and pipes are written last.
+// Files that appear all together: each is written under a temporary name beside its place, and
+// renamed only when all are complete. Whatever is not published is removed, made folders included.
+// The name "-" is the standard output. It, devices and pipes are written first: that fails more
+// easily than renaming.
 class Output_files
 {
 public:
@@ -82,11 +84,11 @@ public:
   void publish()
   {
     for (const File& file : m_files)
-      if (file.temporary)
-        publish(file);
-    for (const File& file : m_files)
       if (!file.temporary)
         publish_stream(file);
+    for (const File& file : m_files)
+      if (file.temporary)
+        publish(file);
     m_files.clear();
     m_made_folders.clear();
   }
@@ -121,7 +123,7 @@ private:
     errno = 0; // set by the system when a file cannot be opened or written
     if (!CGAL::Protrusion_segmentation::internal::write_file(file, write))
       throw Error(name, "cannot be written" +
-                          (errno != 0 ? ": " + std::generic_category().message(errno) : ""));
+                            (errno != 0 ? ": " + std::generic_category().message(errno) : ""));
   }
 
   static void publish(const File& file)

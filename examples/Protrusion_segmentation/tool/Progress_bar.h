@@ -16,7 +16,8 @@
 #include <unistd.h>
 #endif
 
-namespace tool {
+namespace tool
+{
 
 inline bool is_standard_error_a_terminal()
 {
@@ -46,8 +47,8 @@ public:
     m_last_time = now;
     const double clamped = std::clamp(share, 0., 1.);
     const std::size_t filled = static_cast<std::size_t>(std::lround(clamped * width));
-    const std::string line = "[" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " +
-                             std::to_string(std::lround(100 * clamped)) + " %  " + text;
+    const std::string line = "[" + std::string(filled, '#') + std::string(width - filled, ' ') +
+                             "] " + std::to_string(std::lround(100 * clamped)) + " %  " + text;
     overwrite(line);
   }
 

@@ -13,7 +13,8 @@
 #include <utility>
 #include <vector>
 
-namespace tool {
+namespace tool
+{
 
 using CGAL::Protrusion_segmentation::Protrusion;
 using CGAL::Protrusion_segmentation::Stage;
@@ -76,7 +77,8 @@ private:
   {
     const Clock::time_point now = Clock::now();
     if (!m_running.empty())
-      m_stages[m_running.back()].seconds += std::chrono::duration<double>(now - m_last_time).count();
+      m_stages[m_running.back()].seconds +=
+          std::chrono::duration<double>(now - m_last_time).count();
     m_last_time = now;
   }
   void show() const

@@ -4,8 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
-namespace tool {
-namespace {
+namespace tool
+{
+namespace
+{
 
 using Json = nlohmann::ordered_json;
 
@@ -20,7 +22,8 @@ Json describe(const Protrusion& protrusion)
   return {{"segment", protrusion.segment},
           {"parent", protrusion.parent},
           {"tip", protrusion.tip},
-          {"border_slot", or_null(protrusion.border_slot != Protrusion::no_slot(), protrusion.border_slot)},
+          {"border_slot",
+           or_null(protrusion.border_slot != Protrusion::no_slot(), protrusion.border_slot)},
           {"border_distance", protrusion.border_distance},
           {"score", protrusion.score},
           {"area", protrusion.area},
@@ -52,22 +55,21 @@ void write_json(std::ostream& out,
                 const std::string& note)
 {
   const Recorder& record = segmentation.record;
-  const Json json = {
-    {"input", input},
-    {"faces", segmentation.segment_ids.size()},
-    {"segments_requested",
-     or_null(options.number_of_segments.has_value(), options.number_of_segments.value_or(0))},
-    {"segments", segmentation.number_of_segments},
-    {"note", or_null(!note.empty(), note)},
-    {"method", options.method},
-    {"distance", options.distance},
-    {"landmarks", or_null(options.distance == "landmark", options.landmarks)},
-    {"seed", options.seed},
-    {"seconds", segmentation.seconds},
-    {"dijkstra_runs", record.number_of_runs()},
-    {"tips_eliminated", record.number_of_eliminated_tips()},
-    {"stages", describe_all(record.stages())},
-    {"protrusions", describe_all(record.protrusions())}};
+  const Json json = {{"input", input},
+                     {"faces", segmentation.segment_ids.size()},
+                     {"segments_requested", or_null(options.number_of_segments.has_value(),
+                                                    options.number_of_segments.value_or(0))},
+                     {"segments", segmentation.number_of_segments},
+                     {"note", or_null(!note.empty(), note)},
+                     {"method", options.method},
+                     {"distance", options.distance},
+                     {"landmarks", or_null(options.distance == "landmark", options.landmarks)},
+                     {"seed", options.seed},
+                     {"seconds", segmentation.seconds},
+                     {"dijkstra_runs", record.number_of_runs()},
+                     {"tips_eliminated", record.number_of_eliminated_tips()},
+                     {"stages", describe_all(record.stages())},
+                     {"protrusions", describe_all(record.protrusions())}};
   // A name that is no UTF-8 must not keep the rest from being written.
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }

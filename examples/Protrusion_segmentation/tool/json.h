@@ -8,10 +8,11 @@
 #include <ostream>
 #include <string>
 
-namespace tool {
+namespace tool
+{
 
-// What segment_by_protrusions found, for other programs. `note` is empty or says why there are not as many
-// segments as were asked for.
+// What segment_by_protrusions found, for other programs. `note` is empty or says why there are not
+// as many segments as were asked for.
 void write_json(std::ostream& out,
                 const std::string& input,
                 const Segmentation_options& options,

@@ -13,8 +13,10 @@
 #include <map>
 #include <stdexcept>
 
-namespace tool {
-namespace {
+namespace tool
+{
+namespace
+{
 
 // A mesh with its segments as face properties, which CGAL's writers put into files.
 struct Segmented_mesh
@@ -64,9 +66,10 @@ struct Format
 const std::vector<Format>& formats()
 {
   static const std::vector<Format> table = {
-    {".seg", "one segment id a line, as in the Princeton Segmentation Benchmark", write_seg, false},
-    {".ply", "mesh with face colours and a face property 'segment', binary", write_ply, true},
-    {".off", "mesh with face colours", write_off, true}};
+      {".seg", "one segment id a line, as in the Princeton Segmentation Benchmark", write_seg,
+       false},
+      {".ply", "mesh with face colours and a face property 'segment', binary", write_ply, true},
+      {".off", "mesh with face colours", write_off, true}};
   return table;
 }
 
@@ -163,7 +166,8 @@ void check_output_name(const std::string& name)
                                 " files are of the whole mesh");
   if (name.find(placeholder) != name.rfind(placeholder) ||
       is_pattern(std::filesystem::path(name).parent_path().string()))
-    throw std::invalid_argument("-o: '" + name + "' has a %d elsewhere than once in the file's name");
+    throw std::invalid_argument("-o: '" + name +
+                                "' has a %d elsewhere than once in the file's name");
 }
 
 void add_output(const std::string& name,

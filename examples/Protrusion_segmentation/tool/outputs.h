@@ -12,7 +12,8 @@
 #include <string>
 #include <vector>
 
-namespace tool {
+namespace tool
+{
 
 // "name: description" of every format, chosen by the extension of a name.
 std::vector<std::string> output_formats();
@@ -20,8 +21,8 @@ std::vector<std::string> output_formats();
 // Does the name have a "%d", for a file per segment?
 bool is_pattern(const std::string& name);
 
-// Throws std::invalid_argument if no file can have this name: an unknown extension, or a "%d" where there
-// can be none.
+// Throws std::invalid_argument if no file can have this name: an unknown extension, or a "%d" where
+// there can be none.
 void check_output_name(const std::string& name);
 
 void add_output(const std::string& name,

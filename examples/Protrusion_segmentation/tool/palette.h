@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Colours of segments, our own: hues in steps of the golden angle, so that any number of segments in a
-// row get hues far from each other, at three lightnesses in turn.
+// Colours of segments, our own: hues in steps of the golden angle, so that any number of segments
+// in a row get hues far from each other, at three lightnesses in turn.
 
 #ifndef CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_TOOL_PALETTE_H
 #define CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_TOOL_PALETTE_H
@@ -14,7 +14,8 @@
 #include <cmath>
 #include <cstddef>
 
-namespace tool {
+namespace tool
+{
 
 // The linear part of a colour in sRGB, encoded in a byte.
 inline unsigned char encode_sRGB(double linear)
@@ -24,7 +25,8 @@ inline unsigned char encode_sRGB(double linear)
   return static_cast<unsigned char>(std::lround(255 * encoded));
 }
 
-// The colour space OKLCh (B. Ottosson, 2020): equal steps look equally far apart. `hue` is in radians.
+// The colour space OKLCh (B. Ottosson, 2020): equal steps look equally far apart. `hue` is in
+// radians.
 inline CGAL::IO::Color color_of_OKLCh(double lightness, double chroma, double hue)
 {
   const double a = chroma * std::cos(hue);
@@ -45,7 +47,8 @@ inline CGAL::IO::Color segment_color(std::size_t segment)
     return color_of_OKLCh(0.85, 0, 0);
   const double golden_angle = CGAL_PI * (3 - std::sqrt(5.));
   const std::array<double, 3> lightness = {0.65, 0.8, 0.52};
-  return color_of_OKLCh(lightness[segment % 3], 0.15, 0.5 + static_cast<double>(segment) * golden_angle);
+  return color_of_OKLCh(lightness[segment % 3], 0.15,
+                        0.5 + static_cast<double>(segment) * golden_angle);
 }
 
 } // namespace tool

@@ -12,8 +12,10 @@
 #include <stdexcept>
 #include <variant>
 
-namespace tool {
-namespace {
+namespace tool
+{
+namespace
+{
 
 namespace PS = CGAL::Protrusion_segmentation;
 
@@ -54,18 +56,18 @@ struct Entry
 const std::vector<Entry<Border>>& border_table()
 {
   static const std::vector<Entry<Border>> table = {
-    {{"paper", "histograms of distances and of sectional diameters", {}},
-     [](const Segmentation_options&) { return PS::Histogram_border(); }}};
+      {{"paper", "histograms of distances and of sectional diameters", {}},
+       [](const Segmentation_options&) { return PS::Histogram_border(); }}};
   return table;
 }
 
 const std::vector<Entry<Distance>>& distance_table()
 {
   static const std::vector<Entry<Distance>> table = {
-    {{"geodesic", "shortest paths in the face dual graph", {}},
-     [](const Segmentation_options&) { return PS::Geodesic_distance(); }},
-    {{"landmark", "the same by way of random landmarks", {"--landmarks"}},
-     [](const Segmentation_options& options) { return landmark_distance(options.landmarks); }}};
+      {{"geodesic", "shortest paths in the face dual graph", {}},
+       [](const Segmentation_options&) { return PS::Geodesic_distance(); }},
+      {{"landmark", "the same by way of random landmarks", {"--landmarks"}},
+       [](const Segmentation_options& options) { return landmark_distance(options.landmarks); }}};
   return table;
 }
 
@@ -100,22 +102,21 @@ void check_options(const Segmentation_options& options)
   make(distance_table(), options.distance, options);
 }
 
-Segmentation segment(const Mesh& mesh,
-                     const Segmentation_options& options,
-                     const Recorder::Progress& progress)
+Segmentation
+segment(const Mesh& mesh, const Segmentation_options& options, const Recorder::Progress& progress)
 {
   Segmentation result;
   result.record = Recorder(progress);
   result.segment_ids.resize(mesh.number_of_faces());
-  const auto ids = boost::make_iterator_property_map(result.segment_ids.begin(),
-                                                     get(boost::face_index, mesh));
+  const auto ids =
+      boost::make_iterator_property_map(result.segment_ids.begin(), get(boost::face_index, mesh));
   const auto run = [&](const auto& border, const auto& distance)
   {
     const auto np = CGAL::parameters::random_seed(options.seed).visitor(std::ref(result.record));
     return options.number_of_segments
-             ? CGAL::segmentation_via_protrusion_tips(mesh, ids, *options.number_of_segments, distance,
-                                                      border, np)
-             : CGAL::segmentation_via_protrusion_tips(mesh, ids, distance, border, np);
+               ? CGAL::segmentation_via_protrusion_tips(mesh, ids, *options.number_of_segments,
+                                                        distance, border, np)
+               : CGAL::segmentation_via_protrusion_tips(mesh, ids, distance, border, np);
   };
   const Border border = make(border_table(), options.method, options);
   const Distance distance = make(distance_table(), options.distance, options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What segment_by_protrusions computes: a segmentation by a method and a distance that are chosen by
-// name, with all that a visitor is told on the way.
+// What segment_by_protrusions computes: a segmentation by a method and a distance that are chosen
+// by name, with all that a visitor is told on the way.
 
 #ifndef CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_TOOL_SEGMENT_H
 #define CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_TOOL_SEGMENT_H
@@ -14,7 +14,8 @@
 #include <string>
 #include <vector>
 
-namespace tool {
+namespace tool
+{
 
 struct Segmentation_options
 {
@@ -47,9 +48,8 @@ std::vector<Choice> distances();
 // Throws std::invalid_argument if an option has a value that makes no sense.
 void check_options(const Segmentation_options& options);
 
-Segmentation segment(const Mesh& mesh,
-                     const Segmentation_options& options,
-                     const Recorder::Progress& progress);
+Segmentation
+segment(const Mesh& mesh, const Segmentation_options& options, const Recorder::Progress& progress);
 
 } // namespace tool
 

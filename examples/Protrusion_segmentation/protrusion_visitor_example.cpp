@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// protrusion_visitor_example MESH
+//
+// Watches a segmentation: its progress, the histograms of each protrusion and the slot of its
+// border. Stops it after five seconds.
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include <CGAL/protrusion_segmentation.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <string>
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using CGAL::Protrusion_segmentation::Protrusion;
+
+class Watcher : public CGAL::Protrusion_segmentation::Default_visitor
+{
+public:
+  void progress(double share) { std::cout << "progress " << share << "\n"; }
+
+  // a bar for every fourth slot: the number of faces at that distance from the tip
+  void protrusion_found(const Protrusion& protrusion)
+  {
+    std::cout << "segment " << protrusion.segment << " with its tip at face " << protrusion.tip
+              << "\n";
+    for (std::size_t slot = 0; slot < protrusion.distance_histogram.size(); slot += 4)
+    {
+      const std::size_t faces = (std::min)(protrusion.distance_histogram[slot], std::size_t(60));
+      const double diameter = protrusion.sectional_diameter_histogram[slot];
+      std::cout << (slot / 4 == protrusion.border_slot / 4 ? "border " : "       ")
+                << std::string(faces, '#') << "  diameter " << diameter << "\n";
+    }
+  }
+
+  bool go_further() { return std::chrono::steady_clock::now() < m_end; }
+
+private:
+  std::chrono::steady_clock::time_point m_end =
+      std::chrono::steady_clock::now() + std::chrono::seconds(5);
+};
+
+int main(int argc, char* argv[])
+{
+  Mesh mesh;
+  if (argc != 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh))
+  {
+    std::cerr << "protrusion_visitor_example: needs a mesh" << std::endl;
+    return EXIT_FAILURE;
+  }
+
+  try
+  {
+    auto segments = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
+    Watcher watcher;
+    const std::size_t number_of_segments = CGAL::segmentation_via_protrusion_tips(
+        mesh, segments, CGAL::parameters::visitor(std::ref(watcher)));
+    if (number_of_segments == 0)
+      std::cout << "stopped, nothing is segmented" << std::endl;
+    else
+      std::cout << number_of_segments << " segments" << std::endl;
+    return EXIT_SUCCESS;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "protrusion_visitor_example: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+}

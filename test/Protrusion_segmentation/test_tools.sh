@@ -1,0 +1,237 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# test_tools.sh SEGMENT_BY_PROTRUSIONS EVALUATE_SEGMENTATION MAKE_EXAMPLE_MESH DATA_FOLDER WORK_FOLDER
+#
+# The command line tools as a user meets them: exit codes, messages, files; on good input, on each of the
+# awkward files as its entry in the table of DATA_FOLDER/README.md demands, and where nothing can be written.
+
+set -uo pipefail
+segment=$1 evaluate=$2 make_mesh=$3 data=$4 work=$5
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work"
+failures=0
+export LC_ALL=C
+
+fail()
+{
+  echo "FAILED: $*" >&2
+  echo "  exit code $code, output: $(head -c 300 stdout), errors: $(head -c 300 stderr)" >&2
+  failures=$((failures + 1))
+}
+
+# run COMMAND...: sets `code`, fills the files stdout and stderr; a hang ends.
+run()
+{
+  command="$*"
+  timeout 60 "$@" >stdout 2>stderr
+  code=$?
+}
+
+# expect CODE COMMAND...: runs it; a failure must be told in one line that begins with the tool's name.
+expect()
+{
+  local wanted=$1
+  shift
+  run "$@"
+  [ "$code" = "$wanted" ] || fail "$command: exit code instead of $wanted"
+  if [ "$wanted" != 0 ]; then expect_one_line "$(basename "$1"):"; fi
+}
+
+expect_one_line()
+{
+  [ "$(wc -l <stderr)" = 1 ] || fail "$command: not one line of error"
+  grep -qF -- "$1" stderr || fail "$command: the error does not name '$1'"
+}
+
+expect_text() # FILE TEXT
+{
+  grep -qaF -- "$2" "$1" || fail "$command: no '$2' in $1"
+}
+
+# Nothing but these files may be in the folder.
+expect_files() # FOLDER NAME...
+{
+  local folder=$1
+  shift
+  local found wanted
+  found=$(cd "$folder" && find . -mindepth 1 | sort | tr '\n' ' ')
+  wanted=$(for name in "$@"; do echo "./$name"; done | sort | tr '\n' ' ')
+  [ "$found" = "$wanted" ] || fail "$command: files '$found' instead of '$wanted'"
+}
+
+test_usage()
+{
+  local mesh=$data/tetrahedron.off
+  for tool in "$segment" "$evaluate"; do
+    expect 0 "$tool" --help
+    expect_text stdout "Usage"
+    expect 2 "$tool"
+    expect 2 "$tool" "$mesh" --no-such-option
+  done
+  expect 2 "$evaluate" "$mesh"
+  local arguments
+  for arguments in "-k 0" "-k -3" "-k 2.5" "-k many" "--method other" "--distance other" "--seed -1" \
+                   "--distance landmark --landmarks 0" "--distance landmark --landmarks 0%" \
+                   "--distance landmark --landmarks 101%" "--distance landmark --landmarks 5%%" \
+                   "--distance landmark --landmarks -5" "--landmarks 5%" "-o out.xyz" "-o out" "-o %d.seg" \
+                   "-o %d/%d.ply" "-o out.seg -o out.seg" "-o out.seg --json out.seg" "-o $mesh" "-o"; do
+    # shellcheck disable=SC2086
+    expect 2 "$segment" "$mesh" $arguments
+  done
+  expect_files . stdout stderr
+}
+
+test_outputs()
+{
+  mkdir outputs
+  local in=outputs/teddy.off
+  expect 0 "$make_mesh" teddy $in --faces 3000
+  expect 0 "$segment" $in -k 4 -o outputs/a.ply -o outputs/a.off -o outputs/a.seg -o outputs/parts/%d.ply \
+           -o outputs/parts/part%d.off --json outputs/a.json
+  expect_text stdout "4 segments"
+  expect_files outputs teddy.off a.ply a.off a.seg a.json parts parts/{0,1,2,3}.ply parts/part{0,1,2,3}.off
+  local faces
+  faces=$(sed -n 2p $in | cut -d' ' -f2)
+  [ "$(wc -l <outputs/a.seg)" = "$faces" ] || fail "a.seg has not one line per face"
+  [ "$(sort -u outputs/a.seg | tr '\n' ' ')" = "0 1 2 3 " ] || fail "a.seg has other ids than 0 to 3"
+  expect_text outputs/a.ply "format binary"
+  expect_text outputs/a.ply "element face $faces"
+  expect_text outputs/a.ply "property uchar red"
+  expect_text outputs/a.ply "property uint segment"
+  local key
+  for key in "\"faces\": $faces," '"segments_requested": 4,' '"segments": 4,' '"dijkstra_runs": ' \
+             '"seconds": ' '"input": ' '"method": "paper"' '"distance": "geodesic"' '"seed": 0' \
+             '"protrusions": [' '"stages": [' '"note": null' '"border_slot": ' '"distance_histogram": [' \
+             '"sectional_diameter_histogram": ['; do
+    expect_text outputs/a.json "$key"
+  done
+
+  # What was written can be read, and says the same.
+  for mesh in outputs/a.ply outputs/a.off; do
+    expect 0 "$evaluate" $mesh outputs/a.seg outputs/a.seg
+  done
+  for part in outputs/parts/*; do
+    expect 0 "$segment" "$part" -k 1 --quiet
+    [ -s stdout ] || [ -s stderr ] && fail "$command: is not quiet"
+  done
+}
+
+test_determinism()
+{
+  local in=outputs/teddy.off options
+  for options in "" "--distance landmark" "--distance landmark --landmarks 20 --seed 7"; do
+    for i in 1 2; do
+      # shellcheck disable=SC2086
+      expect 0 "$segment" $in -k 6 $options -o outputs/same$i.seg -o outputs/same$i.ply
+    done
+    cmp -s outputs/same1.seg outputs/same2.seg || fail "$command: two runs differ"
+    cmp -s outputs/same1.ply outputs/same2.ply || fail "$command: two runs differ"
+  done
+  expect 0 "$segment" $in --json -
+  expect_text stdout '"segments_requested": null'
+  [ "$(head -c 1 stdout)" = "{" ] || fail "$command: there is more than JSON on the standard output"
+}
+
+test_number_of_segments()
+{
+  expect 0 "$segment" "$data/two_components.off" -k 1 --json -
+  expect_text stdout '"segments": 2'
+  expect_text stdout '"note": "found 2 segments instead of 1'
+  expect_text stderr "found 2 segments instead of 1"
+  expect 0 "$segment" "$data/tetrahedron.off" -k 4 --json -
+  expect_text stdout '"segments_requested": 4'
+  if ! grep -qF '"segments": 4' stdout; then
+    expect_text stderr "of 4 segments"
+  fi
+  expect 1 "$segment" "$data/tetrahedron.off" -k 5 -o outputs/five.seg
+  expect_one_line "tetrahedron.off: has 4 faces"
+  [ ! -e outputs/five.seg ] || fail "$command: wrote an output"
+}
+
+# The table of the awkward files: | `name` | what it is | accept, accept or repair, reject |
+test_awkward_meshes()
+{
+  mkdir awkward
+  local name duty
+  while IFS=$'\t' read -r name duty; do
+    run "$segment" "$data/$name" -o awkward/a.seg -o awkward/a.ply -o awkward/parts/%d.ply --json awkward/a.json
+    case "$duty:$code" in
+      accept:0 | "accept or repair:0")
+        [ -s awkward/a.seg ] && [ -s awkward/a.json ] || fail "$name: accepted without output"
+        rm -r awkward/* ;;
+      reject:1 | "accept or repair:1")
+        expect_one_line "$data/$name: " ;;
+      *)
+        fail "$name: must $duty" ;;
+    esac
+    expect_files awkward
+  done < <(sed -nE 's/^\| `([^`]*)`.*\| (accept|accept or repair|reject) \|$/\1\t\2/p' "$data/README.md" |
+           grep -v '\.seg')
+  expect 1 "$segment" "$data/no_such_file.off"
+  expect_one_line "no_such_file.off: "
+  expect 1 "$segment" "$data"
+  expect_one_line "$data: "
+}
+
+test_awkward_segmentations()
+{
+  local name duty
+  while IFS=$'\t' read -r name duty; do
+    run "$evaluate" "$data/tetrahedron.off" "$data/$name" "$data/good.seg" --json awkward/a.json
+    if [ "$duty" = accept ]; then
+      [ "$code" = 0 ] || fail "$name: must accept"
+      rm -f awkward/a.json
+    else
+      [ "$code" = 1 ] || fail "$name: must reject"
+      expect_one_line "$data/$name: "
+    fi
+    expect_files awkward
+  done < <(sed -nE 's/^\| `([^`]*\.seg)`.*\| (accept|reject) \|$/\1\t\2/p' "$data/README.md")
+}
+
+test_unwritable_outputs()
+{
+  mkdir -p out/folder.ply
+  local in=$data/tetrahedron.off name
+  for name in out/missing/a.ply out/folder.ply; do
+    expect 1 "$segment" "$in" -o out/a.seg -o $name --json out/a.json
+    expect_one_line "$name: cannot be written"
+    expect_files out folder.ply
+  done
+  echo old >out/a.seg
+  expect 1 "$segment" "$in" -o out/a.seg --json /dev/full
+  expect_one_line "/dev/full: cannot be written: No space left on device"
+  expect 1 "$segment" "$data/nan.off" -o out/a.seg -o out/new/%d.ply
+  expect 1 "$segment" "$in" -o out/a.seg -o out/a.seg/parts/%d.ply
+  expect_files out folder.ply a.seg
+  [ "$(cat out/a.seg)" = old ] || fail "$command: a file was changed by a call that failed"
+
+  # A limit on file sizes stands for a full disc: the second file fits, the first one does not.
+  (
+    trap '' XFSZ
+    ulimit -f 16
+    timeout 60 "$segment" outputs/teddy.off -k 2 -o out/new/%d.ply -o out/a.seg -o out/big.ply
+  ) >stdout 2>stderr
+  code=$?
+  [ "$code" = 1 ] || fail "full disc: exit code"
+  expect_one_line "cannot be written"
+  expect_files out folder.ply a.seg
+  [ "$(cat out/a.seg)" = old ] || fail "full disc: a file was changed by a call that failed"
+
+  run "$segment" "$in" --json - -o out/b.seg
+  "$segment" "$in" >/dev/full 2>stderr && fail "standard output: a full one is no failure"
+}
+
+code=0 command=""
+touch stdout stderr
+test_usage
+test_outputs
+test_determinism
+test_number_of_segments
+test_awkward_meshes
+test_awkward_segmentations
+test_unwritable_outputs
+echo "$failures failures"
+[ "$failures" = 0 ]
