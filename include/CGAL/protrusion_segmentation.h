@@ -10,6 +10,7 @@
 #include <CGAL/Protrusion_segmentation/Histogram_border.h>
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Minimum_cut_border.h>
+#include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
 #include <CGAL/Protrusion_segmentation/internal/segment_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -225,6 +226,36 @@ std::size_t segmentation_from_protrusion_tips(const FaceGraph& tmesh,
 {
   return Protrusion_segmentation::internal::segment_mesh_from_tips(tmesh, tips, segment_ids, distance,
                                                                    border, np);
+}
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+computes the hierarchy of nested protrusions with the default distance and border method: one call that
+serves every number of segments.
+
+For every k, the segmentation of the hierarchy is the one of `segmentation_via_protrusion_tips()`.
+
+\param tmesh the mesh
+\param maximum_number_of_segments where to stop, from 1 to the number of faces; the hierarchy ends earlier if
+       no more borders are found
+\param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed` and `visitor` as
+       for `segmentation_via_protrusion_tips()`
+
+\return the hierarchy; an empty one if the visitor stopped the function or the mesh has no faces
+
+\throw std::invalid_argument if `maximum_number_of_segments` is 0 or larger than the number of faces, or if a
+       coordinate is not finite
+*/
+template <typename FaceGraph, typename CGAL_NP_TEMPLATE_PARAMETERS>
+Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
+  const FaceGraph& tmesh,
+  std::size_t maximum_number_of_segments,
+  const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return Protrusion_segmentation::internal::mesh_hierarchy(
+    tmesh, maximum_number_of_segments, Protrusion_segmentation::Geodesic_distance(),
+    Protrusion_segmentation::Minimum_cut_border(), np);
 }
 
 } // namespace CGAL

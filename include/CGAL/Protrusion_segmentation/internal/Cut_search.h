@@ -43,6 +43,16 @@ public:
   // an order of the nodes of the part.
   std::vector<Cut> cuts(Index part_label, const Nodes& part, const std::vector<Nodes>& fields)
   {
+    return cuts(part_label, part, fields, [](const Nodes&) { return true; });
+  }
+
+  // The same along those level sets for which `accept(nodes)` holds.
+  template <typename Accept>
+  std::vector<Cut> cuts(Index part_label,
+                        const Nodes& part,
+                        const std::vector<Nodes>& fields,
+                        Accept accept)
+  {
     const double part_area = m_partition.area(part);
     std::vector<Level_set> level_sets;
     for (std::size_t i = 0; i < fields.size(); ++i)
@@ -53,7 +63,7 @@ public:
     std::stable_sort(level_sets.begin(), level_sets.end(), [](const Level_set& a, const Level_set& b)
                      { return a.relative_cost < b.relative_cost; });
     std::vector<Cut> cuts;
-    for (const Nodes& inner : different_sets(part_label, part, part_area, fields, level_sets))
+    for (const Nodes& inner : different_sets(part_label, part, fields, level_sets, accept))
     {
       Cut cut = refined(part_label, part, inner, part_area);
       if (std::isfinite(cut.score))
@@ -120,21 +130,27 @@ private:
   }
 
   // The best level sets that differ from each other.
+  template <typename Accept>
   std::vector<Nodes> different_sets(Index part_label,
                                     const Nodes& part,
-                                    double part_area,
                                     const std::vector<Nodes>& fields,
-                                    const std::vector<Level_set>& level_sets)
+                                    const std::vector<Level_set>& level_sets,
+                                    Accept accept)
   {
     constexpr std::size_t wanted = 6;
     constexpr std::size_t looked_at = 60; // most of the rest repeat the first ones
     std::vector<Nodes> kept;
     std::vector<double> kept_areas;
+    const double part_area = m_partition.area(part);
     for (Index i : part)
       m_kept[i] = 0;
-    for (std::size_t i = 0; i < level_sets.size() && i < looked_at && kept.size() < wanted; ++i)
+    std::size_t looked = 0;
+    for (std::size_t i = 0; i < level_sets.size() && looked < looked_at && kept.size() < wanted; ++i)
     {
       Nodes nodes = nodes_of(part_label, fields[level_sets[i].field], level_sets[i]);
+      if (!accept(nodes))
+        continue;
+      ++looked;
       const double area = m_partition.area(nodes);
       if (is_repetition(nodes, area, part_area, kept_areas))
         continue;

@@ -73,25 +73,15 @@ public:
     {
       m_monitor.check();
       const Index p = m_fine.label(tip);
-      const Index node = m_coarse.node[tip];
-      if (m_coarse_partition.label(node) != p)
+      if (m_coarse_partition.label(m_coarse.node[tip]) != p) // in the band of a border made before
         continue;
-      m_parts[p].cuts = m_search.cuts(p, m_parts[p].nodes, {m_search.field_of_tip(p, node)});
-      const auto holds_only_this_tip = [&](const Cut& cut)
-      {
-        m_coarse_partition.mark(m_parts[p].nodes, cut.inner);
-        return m_coarse_partition.is_inner(node) &&
-               std::none_of(tips.begin(), tips.end(),
-                            [&](Index other)
-                            {
-                              return other != tip && m_fine.label(other) == p &&
-                                     m_coarse_partition.is_inner(m_coarse.node[other]);
-                            });
-      };
-      const auto best =
-        std::find_if(m_parts[p].cuts.begin(), m_parts[p].cuts.end(), holds_only_this_tip);
-      if (best != m_parts[p].cuts.end())
-        take(p, Cut(*best));
+      const auto has_this_tip_only = [&](const Nodes& nodes) { return is_only_tip(tip, tips, nodes); };
+      const std::vector<Cut> cuts =
+        m_search.cuts(p, m_parts[p].nodes, fields_of_tips(p, tips), has_this_tip_only);
+      const auto best = std::find_if(cuts.begin(), cuts.end(), [&](const Cut& cut)
+                                     { return has_this_tip_only(cut.inner); });
+      if (best != cuts.end())
+        take(p, *best);
     }
     return finish();
   }
@@ -117,6 +107,24 @@ private:
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
       labels[m_coarse.node[f]] = m_forest.labels[f];
     return labels;
+  }
+
+  // The fields of the tips in a part, a search of its own for tips included.
+  std::vector<Nodes> fields_of_tips(Index p, const std::vector<Index>& tips)
+  {
+    std::vector<Nodes> result = fields(p);
+    for (Index tip : tips)
+      if (m_coarse_partition.label(m_coarse.node[tip]) == p)
+        result.push_back(m_search.field_of_tip(p, m_coarse.node[tip]));
+    return result;
+  }
+
+  bool is_only_tip(Index tip, const std::vector<Index>& tips, const Nodes& nodes) const
+  {
+    const auto is_inside = [&](Index other)
+    { return std::find(nodes.begin(), nodes.end(), m_coarse.node[other]) != nodes.end(); };
+    return is_inside(tip) && std::none_of(tips.begin(), tips.end(),
+                                          [&](Index other) { return other != tip && is_inside(other); });
   }
 
   Segment_forest split(std::size_t k, double largest_score)

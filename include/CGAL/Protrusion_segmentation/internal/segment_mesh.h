@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SEGMENT_MESH_H
 
 #include <CGAL/Protrusion_segmentation/Default_visitor.h>
+#include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
 #include <CGAL/Protrusion_segmentation/internal/Monitor.h>
 #include <CGAL/Protrusion_segmentation/internal/Segment_forest.h>
@@ -20,11 +21,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -97,35 +100,64 @@ void write_borders(const FaceGraph& mesh,
   }
 }
 
-// Runs `segment(surface, monitor)` on the arrays of a mesh and writes its labels.
-template <typename FaceGraph, typename SegmentMap, typename NamedParameters, typename Segment>
-std::size_t run_on_mesh(const FaceGraph& mesh,
-                        SegmentMap& segment_ids,
-                        const NamedParameters& np,
-                        Segment segment)
+// Runs `segment(surface, monitor)` on the arrays of a mesh; no result if the visitor stopped it or there is
+// no face.
+template <typename FaceGraph, typename NamedParameters, typename Segment>
+std::optional<Segment_forest> run_on_mesh(const FaceGraph& mesh,
+                                          const NamedParameters& np,
+                                          Segment segment)
 {
   auto visitor_parameter =
     parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor), Default_visitor());
   auto& visitor = unwrap(visitor_parameter);
+  using Visitor = std::remove_reference_t<decltype(visitor)>;
   try
   {
     Surface_of_mesh input;
     {
-      const Stage_scope<std::remove_reference_t<decltype(visitor)>> stage(visitor, Stage::READING);
+      const Stage_scope<Visitor> stage(visitor, Stage::READING);
       input = make_surface_part(mesh, np);
     }
-    Monitor<std::remove_reference_t<decltype(visitor)>> monitor(visitor, random_seed(np), input.unit);
+    Monitor<Visitor> monitor(visitor, random_seed(np), input.unit);
     monitor.check();
-    const Segment_forest forest = segment(input.surface, monitor);
+    if (input.surface.number_of_faces() == 0)
+      return std::nullopt;
+    Segment_forest forest = segment(input.surface, monitor);
     monitor.progress(1, 1);
-    write_segments(mesh, forest.labels, segment_ids);
-    write_borders(mesh, forest.labels, np);
-    return forest.number_of_segments();
+    return forest;
   }
   catch (const Cancelled&)
   {
-    return 0;
+    return std::nullopt;
   }
+}
+
+// Writes the results, if there are any; returns the number of segments.
+template <typename FaceGraph, typename SegmentMap, typename NamedParameters>
+std::size_t write_results(const FaceGraph& mesh,
+                          const std::optional<Segment_forest>& forest,
+                          SegmentMap& segment_ids,
+                          const NamedParameters& np)
+{
+  if (!forest)
+    return 0;
+  write_segments(mesh, forest->labels, segment_ids);
+  write_borders(mesh, forest->labels, np);
+  return forest->number_of_segments();
+}
+
+template <typename FaceGraph, typename Distance, typename Border, typename NamedParameters>
+std::optional<Segment_forest> forest_of_mesh(const FaceGraph& mesh,
+                                             std::optional<std::size_t> number_of_segments,
+                                             const Distance& distance,
+                                             const Border& border,
+                                             const NamedParameters& np)
+{
+  if (number_of_segments)
+    check_number_of_segments(*number_of_segments,
+                             std::distance(faces(mesh).begin(), faces(mesh).end()));
+  return run_on_mesh(mesh, np, [&](const Surface_part& surface, auto& monitor)
+                     { return border.segment(surface, distance, number_of_segments, monitor); });
 }
 
 template <typename FaceGraph,
@@ -140,13 +172,20 @@ std::size_t segment_mesh(const FaceGraph& mesh,
                          const Border& border,
                          const NamedParameters& np)
 {
-  return run_on_mesh(mesh, segment_ids, np,
-                     [&](const Surface_part& surface, auto& monitor)
-                     {
-                       if (number_of_segments)
-                         check_number_of_segments(*number_of_segments, surface.number_of_faces());
-                       return border.segment(surface, distance, number_of_segments, monitor);
-                     });
+  return write_results(mesh, forest_of_mesh(mesh, number_of_segments, distance, border, np), segment_ids,
+                       np);
+}
+
+template <typename FaceGraph, typename Distance, typename Border, typename NamedParameters>
+Segment_hierarchy mesh_hierarchy(const FaceGraph& mesh,
+                                 std::size_t maximum_number_of_segments,
+                                 const Distance& distance,
+                                 const Border& border,
+                                 const NamedParameters& np)
+{
+  std::optional<Segment_forest> forest =
+    forest_of_mesh(mesh, maximum_number_of_segments, distance, border, np);
+  return forest ? Segment_hierarchy(std::move(*forest)) : Segment_hierarchy();
 }
 
 // The positions of the given faces in the order of `faces(mesh)`.
@@ -189,8 +228,10 @@ std::size_t segment_mesh_from_tips(const FaceGraph& mesh,
                                    const NamedParameters& np)
 {
   const std::vector<Surface_part::Index> numbers = face_numbers(mesh, tips);
-  return run_on_mesh(mesh, segment_ids, np, [&](const Surface_part& surface, auto& monitor)
-                     { return border.segment_from_tips(surface, distance, numbers, monitor); });
+  const std::optional<Segment_forest> forest =
+    run_on_mesh(mesh, np, [&](const Surface_part& surface, auto& monitor)
+                { return border.segment_from_tips(surface, distance, numbers, monitor); });
+  return write_results(mesh, forest, segment_ids, np);
 }
 
 // How many of `number_of_tips` each component gets: one after the other to the component with the largest

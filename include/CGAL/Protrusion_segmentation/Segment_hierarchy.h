@@ -1,0 +1,97 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_SEGMENT_HIERARCHY_H
+#define CGAL_PROTRUSION_SEGMENTATION_SEGMENT_HIERARCHY_H
+
+#include <CGAL/Protrusion_segmentation/internal/Segment_forest.h>
+
+#include <cstddef>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+The nested protrusions of a surface (Fig. 1 of the paper) as a tree, and with it the segmentations for every
+number of segments.
+
+Segments are numbered in the order in which they were cut off. Each was cut from its parent, which has a
+lower number; so the segmentation with one segment less is found by giving the last segment back to its
+parent. An object of this class is made by `CGAL::protrusion_hierarchy()` and keeps no reference to the mesh.
+*/
+class Segment_hierarchy
+{
+public:
+  /// the number of connected components of the mesh, the least number of segments
+  std::size_t minimum_number_of_segments() const { return m_forest.number_of_components; }
+
+  /// the largest number of segments
+  std::size_t maximum_number_of_segments() const { return m_forest.number_of_segments(); }
+
+  /// the segment from which `segment` was cut off; `segment` itself if it is the body of a component
+  /// \throw std::out_of_range if there is no such segment
+  std::size_t parent(std::size_t segment) const { return m_forest.parents.at(segment); }
+
+  /*!
+  writes the segmentation with `number_of_segments` segments, in linear time.
+
+  \tparam FaceGraph the type of the mesh for which the hierarchy was made
+  \tparam SegmentMap a model of `WritablePropertyMap` with
+                     `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and `std::size_t` as
+                     value type
+  \param tmesh the mesh for which the hierarchy was made, with the same faces in the same order
+  \param number_of_segments from `minimum_number_of_segments()` to `maximum_number_of_segments()`
+  \param segment_ids the segment of every face, from 0 to `number_of_segments` - 1
+  \throw std::invalid_argument if `number_of_segments` is out of range or `tmesh` has another number of faces
+  */
+  template <typename FaceGraph, typename SegmentMap>
+  void segment_ids(const FaceGraph& tmesh, std::size_t number_of_segments, SegmentMap segment_ids) const
+  {
+    const std::vector<Index> ancestors = ancestors_below(number_of_segments);
+    if (static_cast<std::size_t>(std::distance(faces(tmesh).begin(), faces(tmesh).end())) !=
+        m_forest.labels.size())
+      throw std::invalid_argument("tmesh is not the mesh of the hierarchy: it has another number of faces");
+    std::size_t i = 0;
+    for (const auto f : faces(tmesh))
+      put(segment_ids, f, static_cast<std::size_t>(ancestors[m_forest.labels[i++]]));
+  }
+
+#ifndef DOXYGEN_RUNNING
+  Segment_hierarchy() : m_forest(Surface_part()) {}
+  explicit Segment_hierarchy(internal::Segment_forest forest) : m_forest(std::move(forest)) {}
+#endif
+
+private:
+  using Index = internal::Segment_forest::Index;
+
+  // for every segment the nearest ancestor, or itself, with a number below `number_of_segments`
+  std::vector<Index> ancestors_below(std::size_t number_of_segments) const
+  {
+    if (number_of_segments < minimum_number_of_segments() ||
+        number_of_segments > maximum_number_of_segments())
+      throw std::invalid_argument("number_of_segments is " + std::to_string(number_of_segments) +
+                                  ", but the hierarchy has " +
+                                  std::to_string(minimum_number_of_segments()) + " to " +
+                                  std::to_string(maximum_number_of_segments()) + " segments");
+    std::vector<Index> ancestors(m_forest.parents.size());
+    std::iota(ancestors.begin(), ancestors.end(), Index(0));
+    for (std::size_t s = number_of_segments; s < ancestors.size(); ++s)
+      ancestors[s] = ancestors[m_forest.parents[s]];
+    return ancestors;
+  }
+
+  internal::Segment_forest m_forest;
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_SEGMENT_HIERARCHY_H
