@@ -45,14 +45,16 @@ inline double planar_diameter(const std::vector<Surface_part::Point_3>& points,
 {
   using Point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
   using Vector_3 = Surface_part::Vector_3;
-  const bool along_x = std::abs(normal.x()) <= (std::min)(std::abs(normal.y()), std::abs(normal.z()));
-  Vector_3 u = cross_product(normal, along_x ? Vector_3(1, 0, 0)
-                             : std::abs(normal.y()) <= std::abs(normal.z()) ? Vector_3(0, 1, 0)
-                                                                            : Vector_3(0, 0, 1));
-  Vector_3 v = cross_product(normal, u);
-  if (points.empty() || !(v.squared_length() > 0))
+  const double x = std::abs(normal.x()), y = std::abs(normal.y()), z = std::abs(normal.z());
+  const double size = (std::max)({x, y, z});
+  if (points.empty() || !(size > 0))
     return 0;
+  const Vector_3 n = normal / size; // the squares of its coordinates must not underflow
+  Vector_3 u = cross_product(n, x <= (std::min)(y, z) ? Vector_3(1, 0, 0)
+                                : y <= z              ? Vector_3(0, 1, 0)
+                                                      : Vector_3(0, 0, 1));
   u = u / std::sqrt(u.squared_length());
+  Vector_3 v = cross_product(n, u);
   v = v / std::sqrt(v.squared_length());
   std::vector<Point_2> projected, hull;
   projected.reserve(points.size());
@@ -60,16 +62,23 @@ inline double planar_diameter(const std::vector<Surface_part::Point_3>& points,
     projected.emplace_back((p - points.front()) * u, (p - points.front()) * v);
   convex_hull_2(projected.begin(), projected.end(), std::back_inserter(hull));
 
+  // the ends of nearly collinear points, whose hull is so thin that rounding misleads the walk below
   double largest = 0;
-  const std::size_t n = hull.size();
-  for (std::size_t i = 0, j = 1 % n; i < n; ++i)
+  for (int axis : {0, 1})
+  {
+    const auto ends = std::minmax_element(hull.begin(), hull.end(), [axis](const Point_2& p, const Point_2& q)
+                                          { return p[axis] < q[axis]; });
+    largest = (std::max)(largest, squared_distance(*ends.first, *ends.second));
+  }
+  const std::size_t h = hull.size();
+  for (std::size_t i = 0, j = 1 % h; i < h; ++i)
   {
     // walk on while the next hull vertex is farther from the edge that begins at vertex i
-    const auto edge = hull[(i + 1) % n] - hull[i];
-    while (n > 2 && determinant(edge, hull[(j + 1) % n] - hull[j]) > 0)
-      j = (j + 1) % n;
+    const auto edge = hull[(i + 1) % h] - hull[i];
+    while (h > 2 && determinant(edge, hull[(j + 1) % h] - hull[j]) > 0)
+      j = (j + 1) % h;
     largest = (std::max)({largest, squared_distance(hull[i], hull[j]),
-                          squared_distance(hull[(i + 1) % n], hull[j])});
+                          squared_distance(hull[(i + 1) % h], hull[j])});
   }
   return std::sqrt(largest);
 }
