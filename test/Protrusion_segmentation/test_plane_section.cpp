@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sections by planes have the components that CGAL::Polygon_mesh_slicer finds; diameters are those
+// of all pairs of points.
+
+// g++ 12 finds Boost's copies of edge properties without members uninitialized at -O3.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+
+#include "check.h"
+#include "surface_parts.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/internal/plane_section.h>
+
+#include <CGAL/Polygon_mesh_slicer.h>
+#include <CGAL/Surface_mesh.h>
+
+using namespace test_meshes;
+using namespace CGAL::Protrusion_segmentation::internal;
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+using Vector_3 = Surface_part::Vector_3;
+using Points = std::vector<Point>; // sorted, each point once
+
+constexpr double tolerance = 1e-12;
+
+double brute_force_diameter(const Points& points)
+{
+  double largest = 0;
+  for(const Point& p : points)
+    for(const Point& q : points)
+      largest = std::max(largest, length(p - q));
+  return largest;
+}
+
+Points unique_points(Points points)
+{
+  std::sort(points.begin(), points.end());
+  Points result;
+  for(const Point& p : points)
+    if(std::none_of(result.begin(), result.end(),
+                    [&](const Point& q) { return length(p - q) < tolerance; }))
+      result.push_back(p);
+  return result;
+}
+
+// Of every component of a section its different points; points alone are left out, as the two ways
+// treat planes that touch the surface in a vertex differently.
+std::vector<Points> sorted_components(std::vector<Points> components)
+{
+  std::vector<Points> result;
+  for(Points& points : components)
+  {
+    points = unique_points(std::move(points));
+    if(points.size() > 1)
+      result.push_back(std::move(points));
+  }
+  // by the diameter, rounded where symmetric components tie, then by position
+  const auto key = [](const Points& points)
+  {
+    return std::make_pair(std::lround(1e6 * brute_force_diameter(points)), points.front());
+  };
+  std::sort(result.begin(), result.end(),
+            [&](const Points& a, const Points& b) { return key(a) < key(b); });
+  return result;
+}
+
+std::vector<Points> components_by_slicer(const Mesh& mesh, const Section_plane& plane)
+{
+  CGAL::Polygon_mesh_slicer<Mesh, Kernel> slicer(mesh);
+  std::vector<std::vector<Kernel::Point_3>> polylines;
+  const Vector_3& n = plane.normal;
+  slicer(Kernel::Plane_3({plane.origin.x(), plane.origin.y(), plane.origin.z()},
+                         Kernel::Vector_3(n.x(), n.y(), n.z())),
+         std::back_inserter(polylines));
+  std::vector<Points> components;
+  for(const auto& polyline : polylines)
+  {
+    components.emplace_back();
+    for(const Kernel::Point_3& p : polyline)
+      components.back().push_back({p.x(), p.y(), p.z()});
+  }
+  return sorted_components(components);
+}
+
+std::vector<Points> components_by_walk(const Surface_part& part, Plane_section& section,
+                                       const Section_plane& plane)
+{
+  std::vector<Points> components;
+  section.start();
+  for(Index f = 0; f < part.number_of_faces(); ++f)
+  {
+    std::vector<Surface_part::Point_3> points;
+    section.component(f, plane, points);
+    if(points.empty())
+      continue;
+    components.emplace_back();
+    for(const Surface_part::Point_3& p : points)
+      components.back().push_back({p.x(), p.y(), p.z()});
+    CHECK_CLOSE(planar_diameter(points, plane.normal),
+                brute_force_diameter(components.back()), tolerance);
+  }
+  return sorted_components(components);
+}
+
+class Sliced_mesh
+{
+public:
+  explicit Sliced_mesh(const Test_mesh& mesh)
+    : m_mesh(to_graph<Mesh>(mesh)), m_part(to_surface_part(mesh)), m_section(m_part)
+  {}
+
+  // Returns the number of components.
+  std::size_t check(const Section_plane& plane)
+  {
+    const std::vector<Points> expected = components_by_slicer(m_mesh, plane);
+    const std::vector<Points> found = components_by_walk(m_part, m_section, plane);
+    CHECK_EQUAL(found.size(), expected.size());
+    for(std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i)
+    {
+      CHECK_EQUAL(found[i].size(), expected[i].size());
+      CHECK_CLOSE(brute_force_diameter(found[i]), brute_force_diameter(expected[i]), tolerance);
+      for(std::size_t j = 0; j < std::min(found[i].size(), expected[i].size()); ++j)
+        CHECK(std::any_of(expected[i].begin(), expected[i].end(),
+                          [&](const Point& p) { return length(p - found[i][j]) < tolerance; }));
+    }
+    return found.size();
+  }
+
+private:
+  Mesh m_mesh;
+  Surface_part m_part;
+  Plane_section m_section;
+};
+
+Section_plane random_plane(Random& random, double size)
+{
+  const auto number = [&](double range) { return random.real(-range, range); };
+  const double x = number(size), y = number(size), z = number(size);
+  const double u = number(1), v = number(1), w = number(1);
+  return {{x, y, z}, {u, v, w}};
+}
+
+void random_planes_give_the_same_components()
+{
+  for(const Test_mesh& mesh :
+      {icosphere(3), bumpy_sphere(3, 2), triangulated(torus()),
+       triangulated(open_cylinder()), triangulated(closed_cylinder()), height_field(9, 8, 1),
+       random_surface(5), merged({icosphere(2), translated(icosphere(1), {0.5, 2, 0})})})
+  {
+    Sliced_mesh sliced(mesh);
+    Random random(1);
+    for(int i = 0; i < 60; ++i)
+      sliced.check(random_plane(random, 1.5));
+  }
+}
+
+void a_torus_has_sections_in_two_components()
+{
+  Sliced_mesh sliced(triangulated(torus(2, 0.5)));
+  CHECK_EQUAL(sliced.check({{0, 0, 0.01}, {0, 0, 1}}), 2); // rings
+  CHECK_EQUAL(sliced.check({{0, 0.01, 0}, {0, 1, 0}}), 2); // circles
+  CHECK_EQUAL(sliced.check({{2, 0.01, 0}, {1, 0, 0}}), 1);
+}
+
+// Some of their vertices are on the planes to the last bit.
+void planes_through_vertices_and_edges_give_the_same_points()
+{
+  Sliced_mesh ball(icosphere(2)); // some edges lie in the coordinate planes
+  for(const Vector_3& normal : {Vector_3(1, 0, 0), Vector_3(0, -1, 0), Vector_3(0, 0, 1)})
+    CHECK_EQUAL(ball.check({{0, 0, 0}, normal}), 1);
+  Sliced_mesh cylinder(triangulated(open_cylinder(1, 4, 0.25)));
+  for(const double z : {0.5, 1., 2.75}) // rings of edges
+    CHECK_EQUAL(cylinder.check({{0, 0, z}, {0, 0, 1}}), 1);
+  Sliced_mesh body(triangulated(box(3, 2, 4)));
+  for(const double t : {0.5, 1.})
+    for(const Vector_3& normal : {Vector_3(1, 0, 0), Vector_3(0, 1, 0), Vector_3(0, 0, 1)})
+      CHECK_EQUAL(body.check({{t, t, t}, normal}), 1);
+  Sliced_mesh sheet_mesh(triangulated(sheet(5, 5)));
+  CHECK_EQUAL(sheet_mesh.check({{2, 0, 0}, {1, 0, 0}}), 1);
+  CHECK_EQUAL(sheet_mesh.check({{2.5, 2.5, 0}, {1, 1, 0}}), 1);
+}
+
+void a_plane_beside_the_surface_crosses_nothing()
+{
+  const Surface_part part = to_surface_part(icosphere(2));
+  Plane_section section(part);
+  std::vector<Surface_part::Point_3> points;
+  for(const Section_plane& plane : {Section_plane{{0, 0, 2}, {0, 0, 1}},
+                                    Section_plane{{0, 0, 0}, {0, 0, 0}}})
+  {
+    section.start();
+    for(Index f = 0; f < part.number_of_faces(); ++f)
+      section.component(f, plane, points);
+    CHECK(points.empty());
+  }
+}
+
+void a_component_is_given_once_a_section()
+{
+  const Surface_part part = to_surface_part(icosphere(2));
+  Plane_section section(part);
+  const Section_plane plane = {{0, 0, 0.1}, {0.1, 0.2, 1}};
+  std::vector<Surface_part::Point_3> once, again;
+  const auto section_of_all_faces = [&](std::vector<Surface_part::Point_3>& points)
+  {
+    section.start();
+    for(Index f = 0; f < part.number_of_faces(); ++f)
+      section.component(f, plane, points);
+  };
+  section_of_all_faces(once);
+  section_of_all_faces(again);
+  CHECK(once == again);
+  CHECK(!once.empty());
+}
+
+// A regular polygon in a tilted plane and random clouds, also on a line or in one point.
+void diameters_of_points_in_a_plane()
+{
+  Random random(3);
+  for(int i = 0; i < 300; ++i)
+  {
+    const double a = random.real(-1, 1), b = random.real(-1, 1);
+    const Vector_3 u(1, 0, a), v(0, 1, b), normal = CGAL::cross_product(u, v);
+    const double flatness = std::array<double, 4>{1, 1e-3, 1e-12, 0}[std::size_t(i % 4)];
+    const std::size_t n = 1 + random.index(40);
+    std::vector<Surface_part::Point_3> points;
+    Points copies;
+    for(std::size_t j = 0; j < n; ++j)
+    {
+      const double turn = 2 * pi * double(j) / double(n);
+      const double x = i % 2 == 0 ? std::cos(turn) : random.real(-1, 1);
+      const double y = i % 2 == 0 ? std::sin(turn) : random.real(-1, 1);
+      points.push_back(Surface_part::Point_3(3, -2, 1) + x * u + (flatness * y) * v);
+      copies.push_back({points.back().x(), points.back().y(), points.back().z()});
+    }
+    CHECK_CLOSE(planar_diameter(points, normal), brute_force_diameter(copies), tolerance);
+    CHECK_CLOSE(planar_diameter(points, 1e-300 * normal), brute_force_diameter(copies), tolerance);
+  }
+  CHECK_EQUAL(planar_diameter({}, {0, 0, 1}), 0);
+  CHECK_EQUAL(planar_diameter({{1, 2, 3}}, {0, 0, 1}), 0);
+  CHECK_EQUAL(planar_diameter({{1, 2, 3}, {2, 2, 3}}, {0, 0, 0}), 0); // no plane
+  CHECK_CLOSE(planar_diameter({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {0, 0, -5}),
+              std::sqrt(5.), 1e-15);
+}
+
+int main()
+{
+  random_planes_give_the_same_components();
+  a_torus_has_sections_in_two_components();
+  planes_through_vertices_and_edges_give_the_same_points();
+  a_plane_beside_the_surface_crosses_nothing();
+  a_component_is_given_once_a_section();
+  diameters_of_points_in_a_plane();
+  return check::result();
+}
