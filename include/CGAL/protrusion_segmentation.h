@@ -110,7 +110,8 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 splits a surface mesh into a body and as many protrusions as there are evident ones, with distances and a
 border method of choice: the method stops by itself, the first criterion of Section III of the paper.
 
-All else is as for the function with a number of segments.
+\param tmesh, segment_ids, distance, border, np as for the function with a number of segments, a distance and a border method
+\return as for the function with a number of segments, a distance and a border method
 */
 template <typename FaceGraph,
           typename SegmentMap,
@@ -130,9 +131,11 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-splits a surface mesh into `number_of_segments` segments with the default distance and border method.
+splits a surface mesh into `number_of_segments` segments with the default distance, `Geodesic_distance`, and
+the default border method, `Minimum_cut_border`.
 
-All else is as for the function with a distance and a border method.
+\param tmesh, segment_ids, number_of_segments, np as for the function with a number of segments, a distance and a border method
+\return as for the function with a number of segments, a distance and a border method
 */
 template <typename FaceGraph, typename SegmentMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
@@ -150,7 +153,8 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 
 splits a surface mesh into a body and its evident protrusions with the default distance and border method.
 
-All else is as for the function with a distance and a border method.
+\param tmesh, segment_ids, np as for the function with a number of segments, a distance and a border method
+\return as for the function with a number of segments, a distance and a border method
 */
 template <typename FaceGraph, typename SegmentMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
@@ -208,8 +212,11 @@ A tip for which no border is found, or that already lies in the protrusion of an
 \tparam FaceRange a range of `boost::graph_traits<FaceGraph>::%face_descriptor`
 
 \param tips the faces at the tips
+\param tmesh, segment_ids, distance, border, np as for `segmentation_via_protrusion_tips()`
 
-All other parameters, the result and the exceptions are as for `segmentation_via_protrusion_tips()`.
+\return as for `segmentation_via_protrusion_tips()`
+
+\throw std::invalid_argument if a face of `tips` is not in `tmesh`, or if a coordinate is not finite
 */
 template <typename FaceGraph,
           typename FaceRange,

@@ -282,8 +282,9 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh,
  * returns all metrics at once: `rand_index_error()`, `hamming_distance()`, `cut_discrepancy()` and
  * `consistency_error()`, for less than the sum of their times.
  *
- * The template parameters, the parameters and the named parameters are those of
- * `cut_discrepancy()`.
+ * \param mesh, segment_ids, reference_ids, np as for `cut_discrepancy()`
+ *
+ * \return the metrics
  *
  * Complexity: that of `cut_discrepancy()`.
  */

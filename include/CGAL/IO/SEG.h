@@ -76,9 +76,11 @@ bool read_SEG(std::istream& is,
  * \ingroup PkgProtrusionSegmentationIO
  *
  * reads the segment ids of the faces of `mesh` from a file.
- * The other parameters and the result are those of the function for streams.
  *
  * \param fname the name of the file
+ * \param mesh, segment_ids, np as for the function for streams
+ *
+ * \return as for the function for streams
  */
 template <typename FaceGraph, typename SegmentIdMap,
           typename NamedParameters = parameters::Default_named_parameters>
@@ -127,9 +129,10 @@ bool write_SEG(std::ostream& os, const FaceGraph& mesh, const SegmentIdMap& segm
  * \ingroup PkgProtrusionSegmentationIO
  *
  * writes the segment ids of the faces of `mesh` to a file, which appears, or is replaced, only when
- * it is complete. The other parameters are those of the function for streams.
+ * it is complete.
  *
  * \param fname the name of the file
+ * \param mesh, segment_ids as for the function for streams
  *
  * \return `true` if everything was written; otherwise a file of this name is left as it was
  */

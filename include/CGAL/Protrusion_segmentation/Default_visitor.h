@@ -62,7 +62,7 @@ public:
   void stage_ends(Stage) {}
   /// the share of the requested segments that were found so far, in [0, 1]
   void progress(double) {}
-  /// asked between two steps of the segmentation; `false` stops it
+  /// is asked between two steps of the segmentation. \return `true`; `false` would stop it
   bool go_further() { return true; }
   void tip_found(std::size_t /* face */) {}
   void tip_eliminated(std::size_t /* face */) {}

@@ -35,20 +35,27 @@ public:
   public:
     explicit On_part(const Surface_part& part) : m_part(part), m_shortest_distances(part) {}
 
+    /// computes the distances from a face.
+    /// \param source the face
+    /// \param distances is filled with the distances of all faces
     void operator()(Surface_part::Index source, std::vector<double>& distances)
     {
       m_shortest_distances(source, distances);
     }
-    /// distances up to `bound`, larger ones may be infinite
+    /// computes the distances from a face up to a bound.
+    /// \param source the face
+    /// \param distances is filled with the distances of all faces; those above `bound` may be infinite
+    /// \param bound the largest distance of interest
     void operator()(Surface_part::Index source, std::vector<double>& distances, double bound)
     {
       m_shortest_distances(source, distances, bound);
     }
-    /// the face of eq. (1)
+    /// \return the face of eq. (1)
     Surface_part::Index face_of_largest_sum()
     {
       return internal::largest_distance_sum(m_part, m_shortest_distances);
     }
+    /// \return how many shortest path computations there were so far
     std::size_t number_of_runs() const { return m_shortest_distances.number_of_runs(); }
 
   private:
@@ -56,7 +63,9 @@ public:
     internal::Shortest_distances m_shortest_distances;
   };
 
-  /// prepares the distances on a connected part, in linear time. `part` must outlive the result.
+  /// prepares the distances on a connected part, in linear time.
+  /// \param part the part, which must outlive the result
+  /// \return the distances on it
   On_part on(const Surface_part& part, unsigned int /* random_seed */) const { return On_part(part); }
 };
 

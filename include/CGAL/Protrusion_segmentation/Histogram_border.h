@@ -33,13 +33,16 @@ class Histogram_border
 {
 public:
   /// \name Options
-  /// Each option has a getter and a setter that returns `*this`.
+  /// Each option has a getter, and a setter that can be chained.
   /// @{
 
-  /// Least prominence of a border: the natural logarithm of the ratio of the diameters behind and at the
+  /// \return the least prominence of a border: the natural logarithm of the ratio of the diameters behind and at the
   /// border. Above 0, default 0.3. If k segments were asked for and not found, it is halved again
   /// and again.
   double minimum_prominence() const { return m_minimum_prominence; }
+  /// \param value above 0
+  /// \return `*this`
+  /// \throw std::invalid_argument if `value` is not above 0
   Histogram_border& minimum_prominence(double value)
   {
     if (!(value > 0))
@@ -48,9 +51,11 @@ public:
     return *this;
   }
 
-  /// Whether a border must lie in a candidate interval of the distance histogram, as in Section III.D.3.
+  /// \return whether a border must lie in a candidate interval of the distance histogram, as in Section III.D.3.
   /// Default `true`.
   bool uses_candidate_intervals() const { return m_uses_candidate_intervals; }
+  /// \param value whether it must
+  /// \return `*this`
   Histogram_border& uses_candidate_intervals(bool value)
   {
     m_uses_candidate_intervals = value;

@@ -52,6 +52,9 @@ public:
                                                  random_seed));
     }
 
+    /// computes the distances from a face.
+    /// \param source the face
+    /// \param distances is filled with the distances of all faces
     void operator()(Surface_part::Index source, std::vector<double>& distances)
     {
       m_shortest_distances(m_nearest[source], distances);
@@ -60,8 +63,9 @@ public:
       distances[source] = 0;
     }
 
-    /// the face of eq. (1)
+    /// \return the face of eq. (1)
     Surface_part::Index face_of_largest_sum() const { return m_face_of_largest_sum; }
+    /// \return how many shortest path computations there were so far
     std::size_t number_of_runs() const { return m_shortest_distances.number_of_runs(); }
 
   private:
@@ -98,10 +102,11 @@ public:
     Surface_part::Index m_face_of_largest_sum = 0;
   };
 
-  /// the share of the faces that the paper settles on, LGD(5)
+  /// \return the share of the faces that the paper settles on, LGD(5)
   static constexpr double default_fraction() { return 0.05; }
 
-  /// `fraction` of the faces of each part are landmarks, at least one.
+  /// makes a share of the faces of each part landmarks.
+  /// \param fraction the share, in (0, 1]; there is at least one landmark
   /// \throw std::invalid_argument unless 0 < `fraction` <= 1
   explicit Landmark_geodesic_distance(double fraction = default_fraction()) : m_fraction(fraction)
   {
@@ -109,7 +114,9 @@ public:
       throw std::invalid_argument("Landmark_geodesic_distance: fraction is not in (0, 1]");
   }
 
-  /// `number` landmarks, or all faces of a part that has fewer
+  /// makes a fixed number of faces of each part landmarks.
+  /// \param number the number, above 0; in a part that has fewer faces all are landmarks
+  /// \return the distance
   /// \throw std::invalid_argument if `number` is 0
   static Landmark_geodesic_distance with_number_of_landmarks(std::size_t number)
   {
@@ -120,8 +127,10 @@ public:
     return distance;
   }
 
-  /// prepares the distances on a connected part, one shortest path computation per landmark. `part` must
-  /// outlive the result.
+  /// prepares the distances on a connected part, one shortest path computation per landmark.
+  /// \param part the part, which must outlive the result
+  /// \param random_seed of the choice of landmarks
+  /// \return the distances on it
   On_part on(const Surface_part& part, unsigned int random_seed) const
   {
     const double share = std::ceil(m_fraction * part.number_of_faces());

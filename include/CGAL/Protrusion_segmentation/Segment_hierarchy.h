@@ -30,13 +30,15 @@ parent. An object of this class is made by `CGAL::protrusion_hierarchy()` and ke
 class Segment_hierarchy
 {
 public:
-  /// the number of connected components of the mesh, the least number of segments
+  /// \return the number of connected components of the mesh, the least number of segments
   std::size_t minimum_number_of_segments() const { return m_forest.number_of_components; }
 
-  /// the largest number of segments
+  /// \return the largest number of segments
   std::size_t maximum_number_of_segments() const { return m_forest.number_of_segments(); }
 
-  /// the segment from which `segment` was cut off; `segment` itself if it is the body of a component
+  /// \return the segment from which `segment` was cut off; `segment` itself if it is the body of a
+  ///         component
+  /// \param segment below `maximum_number_of_segments()`
   /// \throw std::out_of_range if there is no such segment
   std::size_t parent(std::size_t segment) const { return m_forest.parents.at(segment); }
 

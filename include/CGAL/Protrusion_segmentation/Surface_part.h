@@ -58,13 +58,16 @@ public:
   using Dual_graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, Arc,
                                                         boost::no_property, Index, Index>;
 
-  /// stands for the face beyond a border edge
+  /// \return what stands for the face beyond a border edge
   static constexpr Index no_face() { return (std::numeric_limits<Index>::max)(); }
 
   Surface_part() = default;
 
-  /// makes a surface from its arrays. `corner_neighbors` holds for each corner the face beyond its edge,
-  /// or `no_face()`. Linear time.
+  /// makes a surface from its arrays, in linear time.
+  /// \param points the points of the vertices
+  /// \param corner_begin the first corner of every face, and the number of corners at the end
+  /// \param corner_vertices the vertex of every corner
+  /// \param corner_neighbors for each corner the face beyond its edge, or `no_face()`
   Surface_part(std::vector<Point_3> points,
                std::vector<Index> corner_begin,
                std::vector<Index> corner_vertices,
@@ -78,35 +81,55 @@ public:
     build_dual_graph();
   }
 
+  /// \return the number of faces
   Index number_of_faces() const { return static_cast<Index>(m_areas.size()); }
+  /// \return the number of vertices
   Index number_of_vertices() const { return static_cast<Index>(m_points.size()); }
+  /// \return the number of corners of all faces
   Index number_of_corners() const { return static_cast<Index>(m_corner_vertices.size()); }
 
+  /// \return the point of a vertex
+  /// \param vertex below `number_of_vertices()`
   const Point_3& point(Index vertex) const { return m_points[vertex]; }
+  /// \return the first corner of a face
+  /// \param face at most `number_of_faces()`, for which it is the number of corners
   Index first_corner(Index face) const { return m_corner_begin[face]; }
+  /// \return the vertex of a corner
+  /// \param corner below `number_of_corners()`
   Index vertex(Index corner) const { return m_corner_vertices[corner]; }
-  /// the face beyond the edge of a corner, or `no_face()`
+  /// \return the face beyond the edge of a corner, or `no_face()`
+  /// \param corner below `number_of_corners()`
   Index neighbor(Index corner) const { return m_corner_neighbors[corner]; }
-  /// the next corner of `face` in its orientation
+  /// \return the next corner of a face in its orientation
+  /// \param face below `number_of_faces()`
+  /// \param corner one of its corners
   Index next_corner(Index face, Index corner) const
   {
     return (corner + 1 == first_corner(face + 1)) ? first_corner(face) : corner + 1;
   }
+  /// \return the length of the edge of a corner
+  /// \param face below `number_of_faces()`
+  /// \param corner one of its corners
   double edge_length(Index face, Index corner) const
   {
     return std::sqrt(squared_distance(point(vertex(corner)), point(vertex(next_corner(face, corner)))));
   }
 
-  /// the centre of gravity of a face
+  /// \return the centre of gravity of a face
+  /// \param face below `number_of_faces()`
   const Point_3& centroid(Index face) const { return m_centroids[face]; }
+  /// \return the area of a face
+  /// \param face below `number_of_faces()`
   double area(Index face) const { return m_areas[face]; }
-  /// the sum of the areas of all faces
+  /// \return the sum of the areas of all faces
   double area() const { return m_area; }
 
-  /// the face dual graph
+  /// \return the face dual graph
   const Dual_graph& dual_graph() const { return m_graph; }
 
-  /// half the sum of the vector products of consecutive corners: normal to `face`, as long as its area
+  /// \return a vector normal to a face, as long as its area: half the sum of the vector products of
+  ///         consecutive corners
+  /// \param face below `number_of_faces()`
   Vector_3 area_vector(Index face) const
   {
     const Index first = first_corner(face);
