@@ -110,7 +110,8 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 splits a surface mesh into a body and as many protrusions as there are evident ones, with distances and a
 border method of choice: the method stops by itself, the first criterion of Section III of the paper.
 
-\param tmesh, segment_ids, distance, border, np as for the function with a number of segments, a distance and a border method
+\param tmesh, segment_ids, distance, border, np as for the function with a number of segments, a
+       distance and a border method
 \return as for the function with a number of segments, a distance and a border method
 */
 template <typename FaceGraph,
@@ -134,7 +135,8 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 splits a surface mesh into `number_of_segments` segments with the default distance, `Geodesic_distance`, and
 the default border method, `Minimum_cut_border`.
 
-\param tmesh, segment_ids, number_of_segments, np as for the function with a number of segments, a distance and a border method
+\param tmesh, segment_ids, number_of_segments, np as for the function with a number of segments, a
+       distance and a border method
 \return as for the function with a number of segments, a distance and a border method
 */
 template <typename FaceGraph, typename SegmentMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -153,7 +155,8 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 
 splits a surface mesh into a body and its evident protrusions with the default distance and border method.
 
-\param tmesh, segment_ids, np as for the function with a number of segments, a distance and a border method
+\param tmesh, segment_ids, np as for the function with a number of segments, a
+       distance and a border method
 \return as for the function with a number of segments, a distance and a border method
 */
 template <typename FaceGraph, typename SegmentMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
@@ -174,7 +177,8 @@ then again and again the face farthest from all tips so far, eq. (2).
 In a mesh of several connected components, each tip is selected in the component of largest area per tip,
 the new one counted.
 
-\tparam OutputIterator a model of `OutputIterator` that accepts `boost::graph_traits<FaceGraph>::%face_descriptor`
+\tparam OutputIterator a model of `OutputIterator` that accepts
+                       `boost::graph_traits<FaceGraph>::%face_descriptor`
 
 \param tmesh the mesh
 \param number_of_tips the number of tips, at most the number of faces

@@ -36,9 +36,9 @@ public:
   /// Each option has a getter, and a setter that can be chained.
   /// @{
 
-  /// \return the least prominence of a border: the natural logarithm of the ratio of the diameters behind and at the
-  /// border. Above 0, default 0.3. If k segments were asked for and not found, it is halved again
-  /// and again.
+  /// \return the least prominence of a border: the natural logarithm of the ratio of the diameters behind
+  ///         and at the border. Above 0, default 0.3. If k segments were asked for and not found, it is
+  ///         halved again and again.
   double minimum_prominence() const { return m_minimum_prominence; }
   /// \param value above 0
   /// \return `*this`
@@ -51,8 +51,8 @@ public:
     return *this;
   }
 
-  /// \return whether a border must lie in a candidate interval of the distance histogram, as in Section III.D.3.
-  /// Default `true`.
+  /// \return whether a border must lie in a candidate interval of the distance histogram, as in Section
+  ///         III.D.3. Default `true`.
   bool uses_candidate_intervals() const { return m_uses_candidate_intervals; }
   /// \param value whether it must
   /// \return `*this`

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Brings the figures of the user manual up to date, none of which is typed.
+
+Measurements: a section of the benchmarks' output files is copied between the lines
+
+    <!-- begin Quality/results*.md: SECTION -->
+    <!-- end -->
+
+where the pattern is relative to benchmark/Protrusion_segmentation and SECTION is how the heading
+begins; without ": SECTION" the whole file is copied. Where there is no such file, the manual says
+how to measure.
+
+Constants: in table rows that begin with "| `FILE.h`, `NAME` |" the second column is the value that
+NAME is set to in that header.
+
+With --check nothing is written, and the exit code is 1 if the manual is out of date.
+"""
+
+import argparse
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+MANUAL = ROOT / "doc/Protrusion_segmentation/Protrusion_segmentation.txt"
+BENCHMARKS = ROOT / "benchmark/Protrusion_segmentation"
+HEADERS = ROOT / "include/CGAL/Protrusion_segmentation"
+
+BLOCK = re.compile(r"(<!-- begin ([^:\n]+?)(?:: ([^\n]+?))? -->\n).*?(<!-- end -->)", re.DOTALL)
+ROW = re.compile(r"^\| `([\w/]+\.h)`, `(\w+)` \| ([^|]+) \|", re.MULTILINE)
+
+
+def section(text, heading):
+    """The part of a Markdown text below the heading that begins so, without the heading."""
+    if heading is None:
+        return re.sub(r"^# .*\n+", "", text)
+    found = re.search(r"^## " + re.escape(heading) + r"[^\n]*\n(.*?)(?=^## |\Z)", text,
+                      re.DOTALL | re.MULTILINE)
+    return found.group(1) if found else None
+
+
+def for_doxygen(text):
+    """Markdown headings would become sections of the manual; angle brackets would be tags."""
+    text = re.sub(r"^#+ (.*)$", r"<b>\1</b>", text, flags=re.MULTILINE)
+    return text.strip("\n")
+
+
+def measurements(pattern, heading):
+    parts = []
+    files = sorted(BENCHMARKS.glob(pattern))
+    for file in files:
+        part = section(file.read_text(encoding="utf-8"), heading)
+        if part is not None:
+            parts.append(f"From `{file.relative_to(ROOT)}`:\n\n{for_doxygen(part)}\n")
+    if parts:
+        return "\n" + "\n".join(parts) + "\n"
+    folder = (BENCHMARKS / pattern).parent.relative_to(ROOT)
+    what = f" of {heading[0].lower() + heading[1:]}" if heading else ""
+    return f"\nTo get a table{what}, run the benchmark in `{folder}`; it writes `{pathlib.Path(pattern).name}`.\n\n"
+
+
+def constant(header, name):
+    files = list(HEADERS.rglob(header))
+    if len(files) != 1:
+        sys.exit(f"{MANUAL.name}: there is no header {header}")
+    text = files[0].read_text(encoding="utf-8")
+    found = re.search(rf"\b{name}(?:\(\))? *(?:=|\{{ *return) *(-?[\d.][^;]*);", text)
+    if not found:
+        sys.exit(f"{MANUAL.name}: {header} has no constant {name}")
+    return found.group(1)
+
+
+def updated(text):
+    text = BLOCK.sub(lambda m: m[1] + measurements(m[2], m[3]) + m[4], text)
+    return ROW.sub(lambda m: f"| `{m[1]}`, `{m[2]}` | {constant(m[1], m[2])} |", text)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
+    check = parser.parse_args().check
+    old = MANUAL.read_text(encoding="utf-8")
+    new = updated(old)
+    if check and new != old:
+        sys.exit(f"{MANUAL.relative_to(ROOT)} is out of date: run doc/update_tables.py")
+    if new != old:
+        MANUAL.write_text(new, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
