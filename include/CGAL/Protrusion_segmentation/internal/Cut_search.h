@@ -9,7 +9,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/level_set_cuts.h>
 #include <CGAL/Protrusion_segmentation/internal/minimum_cut.h>
-#include <CGAL/Protrusion_segmentation/internal/score_cut.h>
+#include <CGAL/Protrusion_segmentation/internal/value_of_cut.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,11 +66,11 @@ public:
     for (const Nodes& inner : different_sets(part_label, part, fields, level_sets, accept))
     {
       Cut cut = refined(part_label, part, inner, part_area);
-      if (std::isfinite(cut.score))
+      if (std::isfinite(cut.value))
         cuts.push_back(std::move(cut));
     }
     std::stable_sort(cuts.begin(), cuts.end(),
-                     [](const Cut& a, const Cut& b) { return a.score < b.score; });
+                     [](const Cut& a, const Cut& b) { return a.value > b.value; });
     return cuts;
   }
 
@@ -137,7 +137,7 @@ private:
                                     const std::vector<Level_set>& level_sets,
                                     Accept accept)
   {
-    constexpr std::size_t wanted = 6;
+    constexpr std::size_t wanted = 10;
     constexpr std::size_t looked_at = 60; // most of the rest repeat the first ones
     std::vector<Nodes> kept;
     std::vector<double> kept_areas;
@@ -193,7 +193,7 @@ private:
     return false;
   }
 
-  // The minimum cut around a set and its score.
+  // The minimum cut around a set and its value.
   Cut refined(Index part_label, const Nodes& part, const Nodes& set, double part_area)
   {
     constexpr Band band = {0.35, 2, 0.7};
@@ -209,8 +209,8 @@ private:
     inner = m_partition.connect_sides(part, part_label, inner);
     inner = refine_cut(m_partition, part_label, part, inner, band, m_number);
     inner = m_partition.connect_sides(part, part_label, inner);
-    const double score = score_of_cut(m_partition, part_label, inner, part_area);
-    return {std::move(inner), score};
+    const double value = value_of_cut(m_partition, part_label, inner, part_area);
+    return {std::move(inner), value};
   }
 
   Graph_partition& m_partition;

@@ -59,10 +59,10 @@ public:
       m_parts[m_forest.labels[f]].faces.push_back(f);
   }
 
-  Segment_forest with_number_of_segments(std::size_t k) { return split(k, infinite()); }
+  Segment_forest with_number_of_segments(std::size_t k) { return split(k, -(std::numeric_limits<double>::infinity)()); }
   Segment_forest with_evident_protrusions()
   {
-    return split((std::numeric_limits<std::size_t>::max)(), largest_evident_score);
+    return split((std::numeric_limits<std::size_t>::max)(), least_evident_value);
   }
 
   // Cuts off, for one tip after the other, the protrusion with the best border that has the tip but none of
@@ -89,9 +89,8 @@ public:
 private:
   // The structure of a shape of up to some dozen parts shows in that many nodes.
   static constexpr Index number_of_nodes = 3000;
-  // Cuts that score worse separate nothing that people would separate.
-  static constexpr double largest_evident_score = 0.1;
-  static constexpr double infinite() { return (std::numeric_limits<double>::infinity)(); }
+  // Cuts of less value separate what people would rather leave together.
+  static constexpr double least_evident_value = 0;
 
   struct Part
   {
@@ -127,13 +126,13 @@ private:
                                           [&](Index other) { return other != tip && is_inside(other); });
   }
 
-  Segment_forest split(std::size_t k, double largest_score)
+  Segment_forest split(std::size_t k, double least_value)
   {
     while (m_forest.number_of_segments() < k)
     {
       m_monitor.progress(m_forest.number_of_segments(), k);
       search_new_parts();
-      const std::optional<Index> best = part_with_best_cut(largest_score);
+      const std::optional<Index> best = part_with_best_cut(least_value);
       if (!best)
         break;
       const Cut cut = std::move(m_parts[*best].cuts.front());
@@ -163,12 +162,12 @@ private:
     }
   }
 
-  std::optional<Index> part_with_best_cut(double largest_score) const
+  std::optional<Index> part_with_best_cut(double least_value) const
   {
     std::optional<Index> best;
     for (Index p = 0; p < m_parts.size(); ++p)
-      if (!m_parts[p].cuts.empty() && m_parts[p].cuts.front().score <= largest_score &&
-          (!best || m_parts[p].cuts.front().score < m_parts[*best].cuts.front().score))
+      if (!m_parts[p].cuts.empty() && m_parts[p].cuts.front().value > least_value &&
+          (!best || m_parts[p].cuts.front().value > m_parts[*best].cuts.front().value))
         best = p;
     return best;
   }
@@ -242,7 +241,7 @@ private:
   // neighbours.
   Nodes transfer(Index p, const Nodes& inner_nodes)
   {
-    constexpr Band band = {0.15, 2, 0.7};
+    constexpr Band band = {0.05, 2, 0.7};
     const Nodes& faces = m_parts[p].faces;
     m_coarse_partition.mark(m_parts[p].nodes, inner_nodes);
     Nodes known, inner;
@@ -283,7 +282,7 @@ private:
     Protrusion protrusion;
     protrusion.segment = id;
     protrusion.parent = parent;
-    protrusion.score = cut.score;
+    protrusion.score = cut.value;
     protrusion.area = m_fine.area(inner_faces) * unit * unit;
     double length = 0;
     for (Index f : inner_faces)

@@ -34,6 +34,7 @@ struct Seam_graph
   std::vector<float> length;         // between the centres of the nodes
   std::vector<float> concave_length; // the same, lengthened where a concave seam lies between
   std::vector<float> border_length;  // of the edges that the two nodes share
+  std::vector<float> concave_border; // the length of those of these edges that lie in a concave seam
   std::vector<float> capacity;       // the border length, cheap on concave seams: what a cut costs
 
   std::vector<double> area; // of the nodes

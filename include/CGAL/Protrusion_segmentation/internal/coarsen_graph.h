@@ -122,10 +122,12 @@ inline Seam_graph contract(const Seam_graph& graph,
           arc = static_cast<Index>(result.target.size());
           result.target.push_back(v);
           result.border_length.push_back(0);
+          result.concave_border.push_back(0);
           result.capacity.push_back(0);
           angle.push_back(0);
         }
         result.border_length[arc] += graph.border_length[old];
+        result.concave_border[arc] += graph.concave_border[old];
         result.capacity[arc] += graph.capacity[old];
         angle[arc] +=
           graph.border_length[old] * (graph.concave_length[old] / graph.length[old] - 1);

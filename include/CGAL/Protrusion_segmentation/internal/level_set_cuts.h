@@ -11,22 +11,28 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
+// Whether both sides of a cut are more than a detail of the mesh. Areas are shares of the whole surface.
+inline bool is_large_enough(double area, double part_area)
+{
+  constexpr double least_area = 0.002;
+  return (std::min)(area, part_area - area) >= least_area;
+}
+
 // The cost of a cut relative to the area of its smaller side. The exponent lies between the relative length
 // of a loop on a surface, 1/2, which finds the smallest necks, and the ratio cut, 1, which finds halves.
 inline double relative_cost(double cost, double area, double part_area)
 {
   constexpr double exponent = 0.65;
-  // a side smaller than that is a detail of the mesh and no part of the shape
-  constexpr double least_area = 0.002;
-  const double smaller = (std::min)(area, part_area - area);
-  return smaller < least_area ? (std::numeric_limits<double>::infinity)()
-                              : cost * std::exp(-exponent * std::log(smaller));
+  return is_large_enough(area, part_area)
+           ? cost * std::exp(-exponent * std::log((std::min)(area, part_area - area)))
+           : (std::numeric_limits<double>::infinity)();
 }
 
 // A component of a level set: the nodes connected to `node` over nodes not after it in the field's order, or
@@ -133,8 +139,8 @@ private:
   template <typename Add>
   Index merge(Index a, Index b, double part_area, Add add)
   {
-    const bool a_counts = relative_cost(1, m_components[a].area, part_area) < infinite();
-    const bool b_counts = relative_cost(1, m_components[b].area, part_area) < infinite();
+    const bool a_counts = is_large_enough(m_components[a].area, part_area);
+    const bool b_counts = is_large_enough(m_components[b].area, part_area);
     if (a_counts && b_counts) // two branches end here
     {
       add(m_components[a]);
@@ -149,8 +155,6 @@ private:
       m_components[a].forget_best();
     return a;
   }
-
-  static constexpr double infinite() { return (std::numeric_limits<double>::infinity)(); }
 
   const Graph_partition& m_partition;
   std::vector<Index> m_rank;

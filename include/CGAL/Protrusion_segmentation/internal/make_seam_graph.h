@@ -28,6 +28,8 @@ struct Seam_constants
   static constexpr double cost_decay = 0.1;
   // Length added to an arc per radian of concave angle; between 0 and .4 without effect.
   static constexpr double length_of_angle = 0.15;
+  // Concave curvature from which on an edge lies in a seam, a radius of 1/2.
+  static constexpr double seam_curvature = 2;
   // Curvature beyond it, a radius of 1/60, is tessellation.
   static constexpr double largest_curvature = 60;
 };
@@ -57,7 +59,8 @@ inline Seam_graph make_seam_graph(const Surface_part& part)
   Seam_graph graph;
   graph.first_arc.reserve(part.number_of_faces() + 1);
   for (std::vector<float>* weights :
-       {&graph.length, &graph.concave_length, &graph.border_length, &graph.capacity})
+       {&graph.length, &graph.concave_length, &graph.border_length, &graph.concave_border,
+        &graph.capacity})
     weights->reserve(part.number_of_corners());
   graph.target.reserve(part.number_of_corners());
   graph.opposite.reserve(part.number_of_corners());
@@ -83,6 +86,8 @@ inline Seam_graph make_seam_graph(const Surface_part& part)
       graph.concave_length.push_back(
         static_cast<float>(length + Constants::length_of_angle * concave_angle));
       graph.border_length.push_back(static_cast<float>(border));
+      graph.concave_border.push_back(
+        static_cast<float>(curvature > Constants::seam_curvature ? border : 0));
       graph.capacity.push_back(static_cast<float>(
         border * (Constants::least_cost +
                   (1 - Constants::least_cost) * std::exp(-Constants::cost_decay * curvature))));
