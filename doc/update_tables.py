@@ -56,8 +56,8 @@ def measurements(pattern, heading):
     if parts:
         return "\n" + "\n".join(parts) + "\n"
     folder = (BENCHMARKS / pattern).parent.relative_to(ROOT)
-    what = f" of {heading[0].lower() + heading[1:]}" if heading else ""
-    return f"\nTo get a table{what}, run the benchmark in `{folder}`; it writes `{pathlib.Path(pattern).name}`.\n\n"
+    what = f" the table '{heading}'" if heading else " a table"
+    return f"\nThe programs in `{folder}` measure and print{what}; see the file README.md there.\n\n"
 
 
 def constant(header, name):
