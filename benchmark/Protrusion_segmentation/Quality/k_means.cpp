@@ -84,7 +84,7 @@ Labels k_means_segmentation(const Mesh& mesh, std::size_t number_of_segments, un
   std::vector<std::size_t> seeds =
     graph.farthest_points(random() % mesh.number_of_faces(), number);
   Labels labels = graph.nearest(seeds);
-  for(std::size_t i = 0; i < options.iterations; ++i)
+  for(std::size_t i = 0; i < options.rounds; ++i)
   {
     seeds = representatives(graph, labels, number, options.samples, random);
     Labels next = graph.nearest(seeds);
