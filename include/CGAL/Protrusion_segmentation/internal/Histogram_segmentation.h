@@ -201,8 +201,8 @@ private:
     return borders;
   }
 
-  // Step 4. A tip that lies in the protrusion of another one is left out. The tips of what remains are
-  // selected anew when it is its turn.
+  // Step 4. A tip that lies in the protrusion of another one, or whose protrusion would be all that is left,
+  // is left out. The tips of what remains are selected anew when it is its turn.
   void cut_off_all(Segment& segment, const std::vector<Tip_border>& borders)
   {
     const Stage_scope<Visitor> stage(m_monitor.visitor(), Stage::LABELS);
@@ -217,16 +217,27 @@ private:
       m_monitor.check();
       const double border_distance = record.histogram.slot_begin(tip_border.second.slot);
       segment.distances(record.tip, distances);
+      const auto is_near = [&](Index f) { return distances[f] < border_distance; };
+      if (!leaves_a_face(labels, segment.id, is_near))
+        continue;
       const Index id = m_forest.add_segment(segment.id);
-      const double area = cut_off_protrusion(
-        segment.extracted.part, labels, record.tip,
-        [&](Index f) { return distances[f] < border_distance; }, id);
+      const double area = cut_off_protrusion(segment.extracted.part, labels, record.tip, is_near, id);
       report(segment, record, tip_border.second, id, area,
              border_length(segment.extracted.part, labels, id));
     }
     m_records.resize(m_forest.number_of_segments());
     for (Index f = 0; f < labels.size(); ++f)
       m_forest.labels[segment.extracted.faces[f]] = labels[f];
+  }
+
+  // Whether a face of the segment is not near: the border may lie beyond all that earlier protrusions left.
+  template <typename IsNear>
+  static bool leaves_a_face(const std::vector<Index>& labels, Index id, IsNear is_near)
+  {
+    for (Index f = 0; f < labels.size(); ++f)
+      if (labels[f] == id && !is_near(f))
+        return true;
+    return false;
   }
 
   void report(const Segment& segment,
