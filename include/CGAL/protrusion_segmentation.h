@@ -46,8 +46,8 @@ have fewer segments than asked for if no more borders are found.
 \param tmesh the mesh. Faces may be any polygons; there may be borders and several components.
 \param segment_ids the segment of every face; written only if the function succeeds
 \param number_of_segments the number of segments k, from 1 to the number of faces
-\param distance the distance on the surface, for instance `Geodesic_distance`
-\param border the border method, for instance `Histogram_border`
+\param distance the distance on the surface, for instance `Protrusion_segmentation::Geodesic_distance`
+\param border the border method, for instance `Protrusion_segmentation::Histogram_border`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -60,7 +60,8 @@ have fewer segments than asked for if no more borders are found.
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of everything random, such as the landmarks of
-                          `Landmark_geodesic_distance`; the same seed gives the same segments}
+                          `Protrusion_segmentation::Landmark_geodesic_distance`; the same seed gives the
+                          same segments}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{`0`}
   \cgalParamNEnd
@@ -85,7 +86,7 @@ have fewer segments than asked for if no more borders are found.
 \throw std::invalid_argument if `number_of_segments` is 0 or larger than the number of faces, or if a
        coordinate is not finite
 
-Complexity: with `Geodesic_distance` and `Histogram_border` a few shortest path computations per segment,
+Complexity: with `Protrusion_segmentation::Geodesic_distance` a few shortest path computations per segment,
 each about linear in the number of faces.
 */
 template <typename FaceGraph,
@@ -132,8 +133,9 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-splits a surface mesh into `number_of_segments` segments with the default distance, `Geodesic_distance`, and
-the default border method, `Minimum_cut_border`.
+splits a surface mesh into `number_of_segments` segments with the default distance,
+`Protrusion_segmentation::Geodesic_distance`, and the default border method,
+`Protrusion_segmentation::Minimum_cut_border`.
 
 \param tmesh, segment_ids, number_of_segments, np as for the function with a number of segments, a
        distance and a border method
@@ -171,8 +173,8 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-selects protrusion tips, Section III.C: the face with the largest sum of distances to all faces, eq. (1),
-then again and again the face farthest from all tips so far, eq. (2).
+selects protrusion tips, Section III.C: the face with the largest sum of distances to all faces,
+eq.&nbsp;(1), then again and again the face farthest from all tips so far, eq.&nbsp;(2).
 
 In a mesh of several connected components, each tip is selected in the component of largest area per tip,
 the new one counted.

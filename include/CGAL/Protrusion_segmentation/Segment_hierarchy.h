@@ -20,7 +20,7 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-The nested protrusions of a surface (Fig. 1 of the paper) as a tree, and with it the segmentations for every
+The nested protrusions of a surface (Figure 1 of the paper) as a tree, and with it the segmentations for every
 number of segments.
 
 Segments are numbered in the order in which they were cut off. Each was cut from its parent, which has a
