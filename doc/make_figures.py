@@ -197,12 +197,13 @@ class Scene:
                 check=True, timeout=300)
             # f3d's light leaves white at little more than half
             subprocess.run(["convert", png, "-level", "0%,62%", "-resize", "50%", "-strip", "+dither",
-                            "-colors", "128", f"PNG8:{FIGURES / name}"], check=True)
+                            "-colors", "128", "-white-threshold", "97%", f"PNG8:{FIGURES / name}"],
+                           check=True)
 
 
 def write_histogram(name, values, slot, title, label):
     """Bars for the slots as SVG, the bar of `slot` in red."""
-    width, height, left, top = 400, 220, 50, 30
+    width, height, left, top = 320, 180, 50, 30
     step, highest = width / len(values), max(values)
     bars = "".join(
         f'<rect x="{left + i * step:.1f}" y="{top + height * (1 - value / highest):.1f}" '

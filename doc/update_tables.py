@@ -14,20 +14,31 @@ how to measure.
 Constants: in table rows that begin with "| `FILE.h`, `NAME` |" the second column is the value that
 NAME is set to in that header.
 
+Output of the examples: with --programs FOLDER, the folder of the built examples, what an example
+prints for a shape of make_example_mesh replaces what is between the lines
+
+    <!-- begin output of EXAMPLE for SHAPE -->
+    <!-- end -->
+
 With --check nothing is written, and the exit code is 1 if the manual is out of date.
 """
 
 import argparse
 import pathlib
 import re
+import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MANUAL = ROOT / "doc/Protrusion_segmentation/Protrusion_segmentation.txt"
+EXAMPLES = ROOT / "examples/Protrusion_segmentation"
 BENCHMARKS = ROOT / "benchmark/Protrusion_segmentation"
 HEADERS = ROOT / "include/CGAL/Protrusion_segmentation"
 
-BLOCK = re.compile(r"(<!-- begin ([^:\n]+?)(?:: ([^\n]+?))? -->\n).*?(<!-- end -->)", re.DOTALL)
+OUTPUT = re.compile(r"(<!-- begin output of (\w+) for (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
+LONGEST_OUTPUT = 16  # lines
+BLOCK = re.compile(r"(<!-- begin ([^: \n]+?)(?:: ([^\n]+?))? -->\n).*?(<!-- end -->)", re.DOTALL)
 ROW = re.compile(r"^\| `([\w/]+\.h)`, `(\w+)` \| ([^|]+) \|", re.MULTILINE)
 
 
@@ -71,7 +82,24 @@ def constant(header, name):
     return found.group(1)
 
 
-def updated(text):
+def output(programs, example, shape):
+    """What the example prints. Its last argument, if it wants one, is the name of a .seg file."""
+    with tempfile.TemporaryDirectory() as folder:
+        mesh, segments = f"{folder}/{shape}.off", f"{folder}/{shape}.seg"
+        subprocess.run([programs / "make_example_mesh", shape, mesh], check=True,
+                       stdout=subprocess.DEVNULL)
+        writes = "write_SEG" in (EXAMPLES / f"{example}.cpp").read_text(encoding="utf-8")
+        result = subprocess.run([programs / example, mesh] + ([segments] if writes else []),
+                                check=True, capture_output=True, text=True)
+    lines = result.stdout.splitlines()
+    if len(lines) > LONGEST_OUTPUT:
+        lines[LONGEST_OUTPUT:] = ["..."]
+    return "\n\\verbatim\n" + "\n".join(lines) + "\n\\endverbatim\n\n"
+
+
+def updated(text, programs):
+    if programs:
+        text = OUTPUT.sub(lambda m: m[1] + output(programs, m[2], m[3]) + m[4], text)
     text = BLOCK.sub(lambda m: m[1] + measurements(m[2], m[3]) + m[4], text)
     return ROW.sub(lambda m: f"| `{m[1]}`, `{m[2]}` | {constant(m[1], m[2])} |", text)
 
@@ -79,10 +107,11 @@ def updated(text):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
-    check = parser.parse_args().check
+    parser.add_argument("--programs", type=pathlib.Path, help="folder of the built examples")
+    arguments = parser.parse_args()
     old = MANUAL.read_text(encoding="utf-8")
-    new = updated(old)
-    if check and new != old:
+    new = updated(old, arguments.programs and arguments.programs.resolve())
+    if arguments.check and new != old:
         sys.exit(f"{MANUAL.relative_to(ROOT)} is out of date: run doc/update_tables.py")
     if new != old:
         MANUAL.write_text(new, encoding="utf-8")
