@@ -83,21 +83,26 @@ public:
       m_partition.graph().concave_length);
   }
 
-  // The fields of the tips of a part: eq. (2) from the node farthest from the part's centre of gravity on,
-  // until the part is covered.
+  // The fields of a part: the distances from each of its tips, which are selected by eq. (2) from the node
+  // farthest from the part's centre of gravity on until the part is covered, and the differences of the
+  // distances from two of the first tips, whose level sets run across the body between them.
   std::vector<Nodes> tip_fields(Index part_label, const Nodes& part)
   {
     constexpr std::size_t maximum_number_of_tips = 12;
+    constexpr std::size_t tips_in_pairs = 5;
     // a tip nearer to another one than that share of the part's size is no tip of its own
     constexpr double least_distance = 0.1;
     const double part_area = m_partition.area(part);
     for (Index i : part)
       m_to_nearest_tip[i] = (std::numeric_limits<double>::infinity)();
     std::vector<Nodes> fields;
+    std::vector<std::vector<double>> distances; // from each of the first tips, in the order of `part`
     Index tip = field_of_tip(part_label, central_node(part, part_area)).back();
     while (fields.size() < maximum_number_of_tips)
     {
       fields.push_back(field_of_tip(part_label, tip));
+      if (distances.size() < tips_in_pairs)
+        distances.push_back(last_distances(part));
       for (Index i : part)
       {
         m_to_nearest_tip[i] = (std::min)(m_to_nearest_tip[i], m_partition.distance(i));
@@ -107,12 +112,40 @@ public:
       if (m_to_nearest_tip[tip] < least_distance * std::sqrt(part_area))
         break;
     }
+    for (std::size_t a = 1; a < distances.size(); ++a)
+      for (std::size_t b = 0; b < a; ++b)
+        fields.push_back(field_of_difference(part, distances[a], distances[b]));
     return fields;
   }
 
   std::size_t number_of_runs() const { return m_number_of_runs; }
 
 private:
+  std::vector<double> last_distances(const Nodes& part) const
+  {
+    std::vector<double> result;
+    result.reserve(part.size());
+    for (Index i : part)
+      result.push_back(m_partition.distance(i));
+    return result;
+  }
+
+  static Nodes field_of_difference(const Nodes& part,
+                                   const std::vector<double>& from_a,
+                                   const std::vector<double>& from_b)
+  {
+    std::vector<std::pair<double, Index>> values;
+    values.reserve(part.size());
+    for (std::size_t i = 0; i < part.size(); ++i)
+      values.emplace_back(from_a[i] - from_b[i], part[i]);
+    std::sort(values.begin(), values.end());
+    Nodes order;
+    order.reserve(part.size());
+    for (const auto& value : values)
+      order.push_back(value.second);
+    return order;
+  }
+
   Index central_node(const Nodes& part, double part_area) const
   {
     const Seam_graph& graph = m_partition.graph();
@@ -193,7 +226,8 @@ private:
     return false;
   }
 
-  // The minimum cut around a set and its value.
+  // A set or, if that costs less for what it cuts off, the minimum cut around it; and its value. A minimum cut
+  // is the shorter the less it cuts off, so it need not be better.
   Cut refined(Index part_label, const Nodes& part, const Nodes& set, double part_area)
   {
     constexpr Band band = {0.35, 2, 0.7};
@@ -207,10 +241,27 @@ private:
           inner.push_back(i);
     }
     inner = m_partition.connect_sides(part, part_label, inner);
-    inner = refine_cut(m_partition, part_label, part, inner, band, m_number);
-    inner = m_partition.connect_sides(part, part_label, inner);
+    const double cost = relative_cost_of(part_label, inner, part_area);
+    Nodes minimum = refine_cut(m_partition, part_label, part, inner, band, m_number);
+    minimum = m_partition.connect_sides(part, part_label, minimum);
+    if (relative_cost_of(part_label, minimum, part_area) < cost)
+      inner = std::move(minimum);
+    else
+      m_partition.mark(part, inner);
     const double value = value_of_cut(m_partition, part_label, inner, part_area);
     return {std::move(inner), value};
+  }
+
+  // `inner` is marked.
+  double relative_cost_of(Index part_label, const Nodes& inner, double part_area) const
+  {
+    const Seam_graph& graph = m_partition.graph();
+    double cost = 0;
+    for (Index i : inner)
+      for (Index arc : graph.arcs(i))
+        if (m_partition.label(graph.target[arc]) == part_label && !m_partition.is_inner(graph.target[arc]))
+          cost += graph.capacity[arc];
+    return relative_cost(cost, m_partition.area(inner), part_area);
   }
 
   Graph_partition& m_partition;

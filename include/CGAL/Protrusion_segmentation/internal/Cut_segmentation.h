@@ -87,8 +87,9 @@ public:
   }
 
 private:
-  // The structure of a shape of up to some dozen parts shows in that many nodes.
-  static constexpr Index number_of_nodes = 3000;
+  // The structure of a shape of up to some dozen parts shows in that many nodes; cuts get worse with more,
+  // since details come to the fore.
+  static constexpr Index number_of_nodes = 2000;
   // Cuts of less value separate what people would rather leave together.
   static constexpr double least_evident_value = 0;
 

@@ -79,7 +79,7 @@ inline std::pair<std::vector<Seam_graph::Index>, Seam_graph::Index> match_neighb
 }
 
 // The graph whose nodes are the sets of nodes with equal numbers. Border lengths and capacities add up.
-// Lengths are those between the new centres, lengthened by as much per unit as the old ones on average.
+// Curvatures are averaged along the borders; lengths are those between the new centres.
 inline Seam_graph contract(const Seam_graph& graph,
                            const std::vector<Seam_graph::Index>& number,
                            Seam_graph::Index count)
@@ -106,7 +106,6 @@ inline Seam_graph contract(const Seam_graph& graph,
                                                : graph.centre[members[first_member[u]]]);
 
   std::vector<Index> arc_to(count, Surface_part::no_face()); // the arc to a node, if it leaves this node
-  std::vector<float> angle; // concave length per length, weighted by the border
   for (Index u = 0; u < count; ++u)
   {
     const Index begin = result.first_arc.back();
@@ -117,20 +116,19 @@ inline Seam_graph contract(const Seam_graph& graph,
         if (v == u)
           continue;
         Index& arc = arc_to[v];
-        if (arc == Surface_part::no_face() || arc < begin || result.target[arc] != v)
+        if (arc == Surface_part::no_face() || arc < begin)
         {
           arc = static_cast<Index>(result.target.size());
           result.target.push_back(v);
           result.border_length.push_back(0);
           result.concave_border.push_back(0);
           result.capacity.push_back(0);
-          angle.push_back(0);
+          result.curvature.push_back(0);
         }
         result.border_length[arc] += graph.border_length[old];
         result.concave_border[arc] += graph.concave_border[old];
         result.capacity[arc] += graph.capacity[old];
-        angle[arc] +=
-          graph.border_length[old] * (graph.concave_length[old] / graph.length[old] - 1);
+        result.curvature[arc] += graph.curvature[old] * graph.border_length[old];
       }
     result.first_arc.push_back(static_cast<Index>(result.target.size()));
   }
@@ -138,10 +136,11 @@ inline Seam_graph contract(const Seam_graph& graph,
     for (Index arc : result.arcs(u))
     {
       const Vector_3 step = result.centre[result.target[arc]] - result.centre[u];
-      const float length = static_cast<float>((std::max)(std::sqrt(step.squared_length()), 1e-9));
-      const float extra = result.border_length[arc] > 0 ? angle[arc] / result.border_length[arc] : 0;
-      result.length.push_back(length);
-      result.concave_length.push_back(length * (1 + extra));
+      const double length = (std::max)(std::sqrt(step.squared_length()), 1e-9);
+      if (result.border_length[arc] > 0)
+        result.curvature[arc] /= result.border_length[arc];
+      result.length.push_back(static_cast<float>(length));
+      result.concave_length.push_back(concave_length(length, result.curvature[arc]));
     }
   find_opposite_arcs(result);
   return result;

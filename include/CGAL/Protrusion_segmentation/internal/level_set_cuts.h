@@ -21,7 +21,7 @@ namespace internal {
 // Whether both sides of a cut are more than a detail of the mesh. Areas are shares of the whole surface.
 inline bool is_large_enough(double area, double part_area)
 {
-  constexpr double least_area = 0.002;
+  constexpr double least_area = 0.0025;
   return (std::min)(area, part_area - area) >= least_area;
 }
 
@@ -29,7 +29,7 @@ inline bool is_large_enough(double area, double part_area)
 // of a loop on a surface, 1/2, which finds the smallest necks, and the ratio cut, 1, which finds halves.
 inline double relative_cost(double cost, double area, double part_area)
 {
-  constexpr double exponent = 0.65;
+  constexpr double exponent = 0.75;
   return is_large_enough(area, part_area)
            ? cost * std::exp(-exponent * std::log((std::min)(area, part_area - area)))
            : (std::numeric_limits<double>::infinity)();

@@ -26,13 +26,21 @@ struct Seam_constants
   // A cut along a seam of concave curvature c costs least + (1 - least) exp(-decay c) per unit of length.
   static constexpr double least_cost = 0.02;
   static constexpr double cost_decay = 0.1;
-  // Length added to an arc per radian of concave angle; between 0 and .4 without effect.
-  static constexpr double length_of_angle = 0.15;
+  // How much less a convex seam counts: a ridge is a better border than a flat place.
+  static constexpr double convex_share = 0.2;
   // Concave curvature from which on an edge lies in a seam, a radius of 1/2.
   static constexpr double seam_curvature = 2;
   // Curvature beyond it, a radius of 1/60, is tessellation.
   static constexpr double largest_curvature = 60;
 };
+
+// What a cut costs per unit of its length.
+inline double cost_of_seam(double curvature)
+{
+  using Constants = Seam_constants;
+  const double strength = curvature > 0 ? curvature : -curvature * Constants::convex_share;
+  return Constants::least_cost + (1 - Constants::least_cost) * std::exp(-Constants::cost_decay * strength);
+}
 
 // Six times the signed volume of a closed surface. Of one with borders it is taken as if every border were
 // closed by a fan around the centre of the surface's box, which is the origin.
@@ -59,7 +67,7 @@ inline Seam_graph make_seam_graph(const Surface_part& part)
   Seam_graph graph;
   graph.first_arc.reserve(part.number_of_faces() + 1);
   for (std::vector<float>* weights :
-       {&graph.length, &graph.concave_length, &graph.border_length, &graph.concave_border,
+       {&graph.length, &graph.concave_length, &graph.curvature, &graph.border_length, &graph.concave_border,
         &graph.capacity})
     weights->reserve(part.number_of_corners());
   graph.target.reserve(part.number_of_corners());
@@ -79,18 +87,16 @@ inline Seam_graph make_seam_graph(const Surface_part& part)
       const double border = part.edge_length(f, c) / unit;
       const double cosine = (std::min)(1., (std::max)(-1., normals[f] * normals[g]));
       const bool is_concave = outward * ((normals[g] - normals[f]) * step) < 0;
-      const double concave_angle = is_concave ? std::acos(cosine) : 0;
-      const double curvature = (std::min)(Constants::largest_curvature, concave_angle / length);
+      const double strength = (std::min)(Constants::largest_curvature, std::acos(cosine) / length);
+      const double curvature = is_concave ? strength : -strength;
       graph.target.push_back(g);
       graph.length.push_back(static_cast<float>(length));
-      graph.concave_length.push_back(
-        static_cast<float>(length + Constants::length_of_angle * concave_angle));
+      graph.concave_length.push_back(concave_length(length, curvature));
+      graph.curvature.push_back(static_cast<float>(curvature));
       graph.border_length.push_back(static_cast<float>(border));
       graph.concave_border.push_back(
         static_cast<float>(curvature > Constants::seam_curvature ? border : 0));
-      graph.capacity.push_back(static_cast<float>(
-        border * (Constants::least_cost +
-                  (1 - Constants::least_cost) * std::exp(-Constants::cost_decay * curvature))));
+      graph.capacity.push_back(static_cast<float>(border * cost_of_seam(curvature)));
     }
     graph.first_arc.push_back(static_cast<Index>(graph.target.size()));
   }
