@@ -3,18 +3,13 @@
 #include "methods.h"
 
 #include "peers.h"
+#include "protrusion_methods.h"
 
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
 namespace {
-
-// Our methods are registered here.
-std::vector<Segmentation_method> our_methods()
-{
-  return {};
-}
 
 void append(std::vector<Segmentation_method>& all, const std::vector<Segmentation_method>& some)
 {
@@ -25,7 +20,7 @@ void append(std::vector<Segmentation_method>& all, const std::vector<Segmentatio
 
 std::vector<Segmentation_method> all_methods()
 {
-  std::vector<Segmentation_method> all = our_methods();
+  std::vector<Segmentation_method> all = protrusion_methods();
   append(all, sdf_methods());
   append(all, clustering_methods());
   return all;
