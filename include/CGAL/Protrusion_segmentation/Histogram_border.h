@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_segmentation.h>
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
@@ -45,8 +46,8 @@ public:
   /// \throw std::invalid_argument if `value` is not above 0
   Histogram_border& minimum_prominence(double value)
   {
-    if (!(value > 0))
-      throw std::invalid_argument("Histogram_border: minimum_prominence is not positive");
+    if (!(value > 0) || !std::isfinite(value))
+      throw std::invalid_argument("Histogram_border: minimum_prominence is not positive and finite");
     m_minimum_prominence = value;
     return *this;
   }

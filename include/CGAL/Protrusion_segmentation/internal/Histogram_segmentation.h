@@ -69,7 +69,12 @@ public:
   {
     std::vector<std::vector<Index>> tips_of_segment(m_forest.number_of_segments());
     for (Index tip : tips)
-      tips_of_segment[m_forest.labels[tip]].push_back(tip);
+    {
+      // a tip given twice must not be its own nearest other tip
+      std::vector<Index>& others = tips_of_segment[m_forest.labels[tip]];
+      if (std::find(others.begin(), others.end(), tip) == others.end())
+        others.push_back(tip);
+    }
     for (Index s = 0; s < tips_of_segment.size(); ++s)
       if (!tips_of_segment[s].empty())
       {
