@@ -12,8 +12,10 @@
 #include <CGAL/Protrusion_segmentation/internal/value_of_cut.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -121,6 +123,9 @@ public:
   std::size_t number_of_runs() const { return m_number_of_runs; }
 
 private:
+  // Level sets of a part that are looked at more closely; a bit each in `m_kept`.
+  static constexpr std::size_t maximum_number_of_sets = 10;
+
   std::vector<double> last_distances(const Nodes& part) const
   {
     std::vector<double> result;
@@ -170,7 +175,6 @@ private:
                                     const std::vector<Level_set>& level_sets,
                                     Accept accept)
   {
-    constexpr std::size_t wanted = 10;
     constexpr std::size_t looked_at = 60; // most of the rest repeat the first ones
     std::vector<Nodes> kept;
     std::vector<double> kept_areas;
@@ -178,9 +182,11 @@ private:
     for (Index i : part)
       m_kept[i] = 0;
     std::size_t looked = 0;
-    for (std::size_t i = 0; i < level_sets.size() && looked < looked_at && kept.size() < wanted; ++i)
+    for (const Level_set& level_set : level_sets)
     {
-      Nodes nodes = nodes_of(part_label, fields[level_sets[i].field], level_sets[i]);
+      if (looked == looked_at || kept.size() == maximum_number_of_sets)
+        break;
+      Nodes nodes = nodes_of(part_label, fields[level_set.field], level_set);
       if (!accept(nodes))
         continue;
       ++looked;
@@ -211,12 +217,12 @@ private:
                      const std::vector<double>& kept_areas) const
   {
     constexpr double largest_overlap = 0.8;
-    std::vector<double> common(kept_areas.size(), 0);
+    std::array<double, maximum_number_of_sets> common{};
     for (Index node : nodes)
-      for (std::size_t k = 0; k < common.size(); ++k)
+      for (std::size_t k = 0; k < kept_areas.size(); ++k)
         if (m_kept[node] & (1u << k))
           common[k] += m_partition.graph().area[node];
-    for (std::size_t k = 0; k < common.size(); ++k)
+    for (std::size_t k = 0; k < kept_areas.size(); ++k)
     {
       const double both = area + kept_areas[k] - common[k];
       const double with_complement = part_area - kept_areas[k] + common[k];
