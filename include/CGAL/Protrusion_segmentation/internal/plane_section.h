@@ -27,15 +27,8 @@ struct Section_plane
   Surface_part::Point_3 origin;
   Surface_part::Vector_3 normal;
 
-  // A vertex on the plane counts as above, so that every edge is crossed or not and no case is degenerate.
-  bool is_above(const Surface_part::Point_3& p) const { return (p - origin) * normal >= 0; }
-
-  Surface_part::Point_3 intersection(const Surface_part::Point_3& p, const Surface_part::Point_3& q) const
-  {
-    const double a = std::abs((p - origin) * normal);
-    const double b = std::abs((q - origin) * normal);
-    return (a + b > 0) ? p + (q - p) * (a / (a + b)) : p;
-  }
+  // above the plane, times the length of the normal
+  double height(const Surface_part::Point_3& p) const { return (p - origin) * normal; }
 };
 
 // The largest distance between two points of a plane with the given normal: convex hull, then the
@@ -96,8 +89,8 @@ public:
   // Forgets which faces were visited: to be called before the first component of each plane.
   void start() { ++m_section; }
 
-  // Adds to `points` where the plane crosses the edges of the component through `face`; adds nothing if the
-  // plane does not cross the face or the component was visited since the last call to start().
+  // Adds to `points` where the plane crosses the edges of the component through `face`, each edge once; adds
+  // nothing if the plane does not cross the face or the component was visited since the last call to start().
   void component(Index face, const Section_plane& plane, std::vector<Point_3>& points)
   {
     m_queue.assign(1, face);
@@ -113,18 +106,34 @@ public:
   }
 
 private:
+  // A vertex on the plane counts as above, so that every edge is crossed or not and no case is degenerate.
   void cross_face(Index f, const Section_plane& plane, std::vector<Point_3>& points)
   {
+    const Point_3* p = &m_part.point(m_part.vertex(m_part.first_corner(f)));
+    double height = plane.height(*p);
+    const double first_height = height;
     for (Index c = m_part.first_corner(f); c < m_part.first_corner(f + 1); ++c)
     {
-      const Point_3& p = m_part.point(m_part.vertex(c));
-      const Point_3& q = m_part.point(m_part.vertex(m_part.next_corner(f, c)));
-      if (plane.is_above(p) == plane.is_above(q))
-        continue;
-      points.push_back(plane.intersection(p, q));
-      if (m_part.neighbor(c) != Surface_part::no_face())
-        m_queue.push_back(m_part.neighbor(c));
+      const Index next = m_part.next_corner(f, c);
+      const Point_3* q = &m_part.point(m_part.vertex(next));
+      const double next_height = next == m_part.first_corner(f) ? first_height : plane.height(*q);
+      if ((height >= 0) != (next_height >= 0) && enter(m_part.neighbor(c)))
+        points.push_back(*p + (*q - *p) * (height / (height - next_height)));
+      p = q;
+      height = next_height;
     }
+  }
+
+  // Whether the face beyond a crossed edge is still to be visited, or there is none: else the edge was
+  // crossed from there.
+  bool enter(Index neighbor)
+  {
+    if (neighbor == Surface_part::no_face())
+      return true;
+    if (m_visited[neighbor] == m_section)
+      return false;
+    m_queue.push_back(neighbor);
+    return true;
   }
 
   const Surface_part& m_part;
