@@ -61,6 +61,13 @@ expect_files() # FOLDER NAME...
   [ "$found" = "$wanted" ] || fail "$command: files '$found' instead of '$wanted'"
 }
 
+# Then the next check begins anew.
+expect_empty_folder()
+{
+  expect_files "$1"
+  rm -rf "${1:?}"/*
+}
+
 test_usage()
 {
   local mesh=$data/tetrahedron.off
@@ -88,7 +95,7 @@ test_outputs()
   mkdir outputs
   local in=outputs/teddy.off
   expect 0 "$make_mesh" teddy $in --faces 3000
-  expect 0 "$segment" $in -k 4 -o outputs/a.ply -o outputs/a.off -o outputs/a.seg -o outputs/parts/%d.ply \
+  expect 0 "$segment" $in -k 4 --method paper -o outputs/a.ply -o outputs/a.off -o outputs/a.seg -o outputs/parts/%d.ply \
            -o outputs/parts/part%d.off --json outputs/a.json
   expect_text stdout "4 segments"
   expect_files outputs teddy.off a.ply a.off a.seg a.json parts parts/{0,1,2,3}.ply parts/part{0,1,2,3}.off
@@ -121,7 +128,7 @@ test_outputs()
 test_determinism()
 {
   local in=outputs/teddy.off options
-  for options in "" "--distance landmark" "--distance landmark --landmarks 20 --seed 7"; do
+  for options in "" "--method paper" "--distance landmark" "--distance landmark --landmarks 20 --seed 7"; do
     for i in 1 2; do
       # shellcheck disable=SC2086
       expect 0 "$segment" $in -k 6 $options -o outputs/same$i.seg -o outputs/same$i.ply
@@ -166,7 +173,7 @@ test_awkward_meshes()
       *)
         fail "$name: must $duty" ;;
     esac
-    expect_files awkward
+    expect_empty_folder awkward
   done < <(sed -nE 's/^\| `([^`]*)`.*\| (accept|accept or repair|reject) \|$/\1\t\2/p' "$data/README.md" |
            grep -v '\.seg')
   expect 1 "$segment" "$data/no_such_file.off"
@@ -187,7 +194,7 @@ test_awkward_segmentations()
       [ "$code" = 1 ] || fail "$name: must reject"
       expect_one_line "$data/$name: "
     fi
-    expect_files awkward
+    expect_empty_folder awkward
   done < <(sed -nE 's/^\| `([^`]*\.seg)`.*\| (accept|reject) \|$/\1\t\2/p' "$data/README.md")
 }
 

@@ -20,7 +20,7 @@ namespace
 namespace PS = CGAL::Protrusion_segmentation;
 
 // A further method or distance is one more alternative here and one more line in a table below.
-using Border = std::variant<PS::Histogram_border>;
+using Border = std::variant<PS::Minimum_cut_border, PS::Histogram_border>;
 using Distance = std::variant<PS::Geodesic_distance, PS::Landmark_geodesic_distance>;
 
 template <typename T>
@@ -56,6 +56,8 @@ struct Entry
 const std::vector<Entry<Border>>& border_table()
 {
   static const std::vector<Entry<Border>> table = {
+      {{"minimum-cut", "minimum cuts along concave seams", {}},
+       [](const Segmentation_options&) { return PS::Minimum_cut_border(); }},
       {{"paper", "histograms of distances and of sectional diameters", {}},
        [](const Segmentation_options&) { return PS::Histogram_border(); }}};
   return table;

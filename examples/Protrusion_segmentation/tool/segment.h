@@ -20,7 +20,7 @@ namespace tool
 struct Segmentation_options
 {
   std::optional<std::size_t> number_of_segments; // unset: as many as there are evident protrusions
-  std::string method = "paper";
+  std::string method = "minimum-cut"; // the package's own default
   std::string distance = "geodesic";
   std::string landmarks = "5%"; // a share of the faces, or a number of them
   unsigned int seed = 0;

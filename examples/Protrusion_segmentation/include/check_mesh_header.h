@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What CGAL's readers take on trust: that a file holds as much as its header announces, and that
+// vertices have coordinates.
+
+#ifndef CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_CHECK_MESH_HEADER_H
+#define CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_CHECK_MESH_HEADER_H
+
+#include "tool_error.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+namespace tool {
+
+inline std::string lower_case_extension(const std::string& file_name)
+{
+  std::string extension = std::filesystem::path(file_name).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+// Each vertex and each face takes at least one byte.
+inline void check_count(const std::string& file_name, double announced)
+{
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file_name, error);
+  if(!error && announced > double(size))
+    throw Error(file_name, "announces more vertices or faces than it can hold");
+}
+
+// The counts are the first two numbers, behind a keyword or without one.
+inline void check_header_OFF(const std::string& file_name)
+{
+  std::ifstream in(file_name, std::ios::binary);
+  int counts = 0;
+  for(std::string line; counts < 2 && std::getline(in, line);)
+  {
+    std::istringstream words(line.substr(0, line.find('#')));
+    for(std::string word; counts < 2 && words >> word;)
+    {
+      if(word == "BINARY")
+        return;
+      if(word.find_first_not_of("0123456789") != std::string::npos)
+        continue;
+      double count = 0;
+      std::istringstream(word) >> count;
+      check_count(file_name, count);
+      ++counts;
+    }
+  }
+}
+
+inline void check_header_PLY(const std::string& file_name)
+{
+  std::ifstream in(file_name, std::ios::binary);
+  std::string element;
+  std::set<std::string> vertex_properties;
+  for(std::string line; std::getline(in, line);)
+  {
+    std::istringstream words(line);
+    std::string keyword, type, name;
+    words >> keyword >> type >> name;
+    if(keyword == "end_header")
+      break;
+    if(keyword == "element")
+    {
+      element = type;
+      double count = 0;
+      std::istringstream(name) >> count;
+      check_count(file_name, count);
+    }
+    else if(keyword == "property" && element == "vertex")
+      vertex_properties.insert(name);
+  }
+  for(const char* coordinate : {"x", "y", "z"})
+    if(vertex_properties.count(coordinate) == 0)
+      throw Error(file_name, std::string("its vertices have no property ") + coordinate);
+}
+
+inline void check_header(const std::string& file_name)
+{
+  const std::string extension = lower_case_extension(file_name);
+  if(extension == ".off")
+    check_header_OFF(file_name);
+  else if(extension == ".ply")
+    check_header_PLY(file_name);
+}
+
+} // namespace tool
+
+#endif // CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_CHECK_MESH_HEADER_H
