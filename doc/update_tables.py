@@ -42,6 +42,9 @@ BLOCK = re.compile(r"(<!-- begin ([^: \n]+?)(?:: ([^\n]+?))? -->\n).*?(<!-- end 
 ROW = re.compile(r"^\| `([\w/]+\.h)`, `(\w+)` \| ([^|]+) \|", re.MULTILINE)
 
 
+errors = []
+
+
 def section(text, heading):
     """The part of a Markdown text below the heading that begins so, without the heading."""
     if heading is None:
@@ -71,15 +74,13 @@ def measurements(pattern, heading):
     return f"\nThe programs in `{folder}` measure and print{what}; see the file README.md there.\n\n"
 
 
-def constant(header, name):
-    files = list(HEADERS.rglob(header))
-    if len(files) != 1:
-        sys.exit(f"{MANUAL.name}: there is no header {header}")
-    text = files[0].read_text(encoding="utf-8")
+def constant(header, name, old_value):
+    """The value; where it is not found, an error is printed and the old one stays."""
+    text = "".join(file.read_text(encoding="utf-8") for file in HEADERS.rglob(header))
     found = re.search(rf"\b{name}(?:\(\))? *(?:=|\{{ *return) *(-?[\d.][^;]*);", text)
     if not found:
-        sys.exit(f"{MANUAL.name}: {header} has no constant {name}")
-    return found.group(1)
+        errors.append(f"{MANUAL.name}: {header} has no constant {name}")
+    return found.group(1) if found else old_value
 
 
 def output(programs, example, shape):
@@ -101,7 +102,7 @@ def updated(text, programs):
     if programs:
         text = OUTPUT.sub(lambda m: m[1] + output(programs, m[2], m[3]) + m[4], text)
     text = BLOCK.sub(lambda m: m[1] + measurements(m[2], m[3]) + m[4], text)
-    return ROW.sub(lambda m: f"| `{m[1]}`, `{m[2]}` | {constant(m[1], m[2])} |", text)
+    return ROW.sub(lambda m: f"| `{m[1]}`, `{m[2]}` | {constant(m[1], m[2], m[3])} |", text)
 
 
 def main():
@@ -115,6 +116,7 @@ def main():
         sys.exit(f"{MANUAL.relative_to(ROOT)} is out of date: run doc/update_tables.py")
     if new != old:
         MANUAL.write_text(new, encoding="utf-8")
+    sys.exit("\n".join(errors) or 0)
 
 
 if __name__ == "__main__":
