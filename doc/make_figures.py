@@ -30,7 +30,7 @@ SHAPES = {
     "chair": (6, (7, -5, 3)),
 }
 PLAIN = (205, 205, 200)
-RED, BLUE, ORANGE, GREY = (200, 40, 40), (60, 110, 190), (235, 150, 40), (210, 210, 205)
+RED, BLUE, ORANGE = (200, 40, 40), (60, 110, 190), (235, 150, 40)
 # one colour for each group of ten slots, from near to far
 SLOT_GROUPS = [(68, 1, 84), (72, 40, 120), (62, 74, 137), (49, 104, 142), (38, 130, 142),
                (31, 158, 137), (53, 183, 121), (109, 205, 89), (180, 222, 44), (253, 231, 37)]
@@ -263,13 +263,10 @@ def show(mesh, colors, name, shape, **size):
 
 
 def nested(workshop):
-    """Fig. 1 of the paper: protrusions of protrusions."""
-    mesh, ids, record = workshop.segment("teddy", "--method", "minimum-cut")
-    level = {0: 0}
-    for protrusion in record["protrusions"]:
-        level[protrusion["segment"]] = level[protrusion["parent"]] + 1
-    show(mesh, mesh.colors, "nested_segments.png", "teddy")
-    show(mesh, [(GREY, BLUE, ORANGE, RED)[min(level[i], 3)] for i in ids], "nested_levels.png", "teddy")
+    """Fig. 1 of the paper: protrusions that have protrusions."""
+    for k in (2, 4, 8):
+        mesh, _, _ = workshop.segment("teddy", "--method", "minimum-cut", segments=k)
+        show(mesh, mesh.colors, f"nested_{k}.png", "teddy")
 
 
 def tips(record):
