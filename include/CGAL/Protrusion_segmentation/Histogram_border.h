@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_segmentation.h>
+#include <CGAL/Protrusion_segmentation/internal/for_each_index.h>
 
 #include <cmath>
 #include <cstddef>
@@ -62,6 +63,16 @@ public:
     m_uses_candidate_intervals = value;
     return *this;
   }
+
+  /// sets whether the sections of a protrusion are computed by several threads, with the same result.
+  /// \tparam ConcurrencyTag `Sequential_tag`, the default, or `Parallel_tag`, which needs TBB
+  /// \return `*this`
+  template <typename ConcurrencyTag>
+  Histogram_border& concurrency_tag(ConcurrencyTag)
+  {
+    m_is_parallel = internal::is_parallel<ConcurrencyTag>();
+    return *this;
+  }
   /// @}
 
 #ifndef DOXYGEN_RUNNING
@@ -74,7 +85,7 @@ public:
                                    internal::Monitor<Visitor>& monitor) const
   {
     internal::Histogram_segmentation<Distance, Visitor> segmentation(surface, distance, conditions(),
-                                                                     monitor);
+                                                                     m_is_parallel, monitor);
     return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
                               : segmentation.with_evident_protrusions();
   }
@@ -84,7 +95,8 @@ public:
                                              const std::vector<Surface_part::Index>& tips,
                                              internal::Monitor<Visitor>& monitor) const
   {
-    return internal::Histogram_segmentation<Distance, Visitor>(surface, distance, conditions(), monitor)
+    return internal::Histogram_segmentation<Distance, Visitor>(surface, distance, conditions(),
+                                                              m_is_parallel, monitor)
       .from_tips(tips);
   }
 #endif
@@ -97,6 +109,7 @@ private:
 
   double m_minimum_prominence = 0.3;
   bool m_uses_candidate_intervals = true;
+  bool m_is_parallel = false;
 };
 
 } // namespace Protrusion_segmentation

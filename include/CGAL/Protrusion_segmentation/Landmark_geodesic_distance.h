@@ -6,14 +6,16 @@
 #define CGAL_PROTRUSION_SEGMENTATION_LANDMARK_GEODESIC_DISTANCE_H
 
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/Nearest_landmarks.h>
+#include <CGAL/Protrusion_segmentation/internal/for_each_index.h>
 #include <CGAL/Protrusion_segmentation/internal/largest_distance_sum.h>
 #include <CGAL/Protrusion_segmentation/internal/select_landmarks.h>
 #include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -43,13 +45,15 @@ public:
   class On_part
   {
   public:
-    On_part(const Surface_part& part, std::size_t number_of_landmarks, unsigned int random_seed)
-      : m_shortest_distances(part),
-        m_to_landmark(part.number_of_faces(), internal::Shortest_distances::unreachable()),
-        m_nearest(part.number_of_faces(), 0)
+    On_part(const Surface_part& part,
+            std::size_t number_of_landmarks,
+            unsigned int random_seed,
+            bool is_parallel)
+      : m_shortest_distances(part), m_nearest(part)
     {
       visit_landmarks(internal::select_landmarks(part.number_of_faces(), number_of_landmarks,
-                                                 random_seed));
+                                                 random_seed),
+                      is_parallel);
     }
 
     /// computes the distances from a face.
@@ -57,48 +61,65 @@ public:
     /// \param distances is filled with the distances of all faces
     void operator()(Surface_part::Index source, std::vector<double>& distances)
     {
-      m_shortest_distances(m_nearest[source], distances);
+      m_shortest_distances(m_landmarks[m_nearest.landmark(source)], distances);
       for (double& d : distances)
-        d += m_to_landmark[source];
+        d += m_nearest.distance(source);
       distances[source] = 0;
     }
 
     /// \return the face of eq. (1)
     Surface_part::Index face_of_largest_sum() const { return m_face_of_largest_sum; }
     /// \return how many shortest path computations there were so far
-    std::size_t number_of_runs() const { return m_shortest_distances.number_of_runs(); }
+    std::size_t number_of_runs() const
+    {
+      return m_landmarks.size() + m_shortest_distances.number_of_runs();
+    }
 
   private:
     // Steps 2 to 4: the distances from each landmark, the nearest landmark of every face, the sums.
-    void visit_landmarks(const std::vector<Surface_part::Index>& landmarks)
+    void visit_landmarks(std::vector<Surface_part::Index> landmarks, bool is_parallel)
     {
-      using Index = Surface_part::Index;
-      const Index n = static_cast<Index>(m_nearest.size());
-      std::vector<double> from_landmark;
-      std::vector<double> sum_of_nearest(n, 0);
-      for (Index landmark : landmarks)
+      m_landmarks = std::move(landmarks);
+      std::vector<double> sums(m_landmarks.size());
+      struct Workspace
       {
-        m_shortest_distances(landmark, from_landmark);
-        const double sum = internal::distance_sum(from_landmark);
-        for (Index f = 0; f < n; ++f)
-          if (from_landmark[f] < m_to_landmark[f])
-          {
-            m_to_landmark[f] = from_landmark[f];
-            m_nearest[f] = landmark;
-            sum_of_nearest[f] = sum;
-          }
+        internal::Shortest_distances shortest_distances;
+        internal::Nearest_landmarks nearest;
+        std::vector<double> from_landmark;
+      };
+      Workspace workspace = {m_shortest_distances, m_nearest, {}};
+      internal::for_each_index(
+        m_landmarks.size(), is_parallel, workspace,
+        [&](Workspace& w, std::size_t i)
+        {
+          w.shortest_distances(m_landmarks[i], w.from_landmark);
+          sums[i] = internal::distance_sum(w.from_landmark);
+          w.nearest.add(static_cast<Surface_part::Index>(i), w.from_landmark);
+        },
+        [this](const Workspace& w) { m_nearest.add(w.nearest); });
+      find_largest_sum(sums);
+    }
+
+    // The sum from the landmark and the way to it for all other faces; less what the former holds for the
+    // face itself, at distance 0.
+    void find_largest_sum(const std::vector<double>& sums)
+    {
+      double largest = -1;
+      const Surface_part::Index n = m_nearest.number_of_faces();
+      for (Surface_part::Index f = 0; f < n; ++f)
+      {
+        const double sum = sums[m_nearest.landmark(f)] + (n - 2.) * m_nearest.distance(f);
+        if (sum > largest)
+        {
+          largest = sum;
+          m_face_of_largest_sum = f;
+        }
       }
-      // the sum from the landmark and the way to it for all other faces; less what the former holds for the
-      // face itself, at distance 0
-      for (Index f = 0; f < n; ++f)
-        sum_of_nearest[f] += (n - 2.) * m_to_landmark[f];
-      m_face_of_largest_sum = static_cast<Index>(
-        std::max_element(sum_of_nearest.begin(), sum_of_nearest.end()) - sum_of_nearest.begin());
     }
 
     internal::Shortest_distances m_shortest_distances;
-    std::vector<double> m_to_landmark;
-    std::vector<Surface_part::Index> m_nearest;
+    internal::Nearest_landmarks m_nearest;
+    std::vector<Surface_part::Index> m_landmarks;
     Surface_part::Index m_face_of_largest_sum = 0;
   };
 
@@ -127,6 +148,16 @@ public:
     return distance;
   }
 
+  /// sets whether the distances from the landmarks are computed by several threads, with the same result.
+  /// \tparam ConcurrencyTag `Sequential_tag`, the default, or `Parallel_tag`, which needs TBB
+  /// \return `*this`
+  template <typename ConcurrencyTag>
+  Landmark_geodesic_distance& concurrency_tag(ConcurrencyTag)
+  {
+    m_is_parallel = internal::is_parallel<ConcurrencyTag>();
+    return *this;
+  }
+
   /// prepares the distances on a connected part, one shortest path computation per landmark.
   /// \param part the part, which must outlive the result
   /// \param random_seed of the choice of landmarks
@@ -134,12 +165,14 @@ public:
   On_part on(const Surface_part& part, unsigned int random_seed) const
   {
     const double share = std::ceil(m_fraction * part.number_of_faces());
-    return On_part(part, m_number > 0 ? m_number : static_cast<std::size_t>(share), random_seed);
+    return On_part(part, m_number > 0 ? m_number : static_cast<std::size_t>(share), random_seed,
+                   m_is_parallel);
   }
 
 private:
   double m_fraction;
   std::size_t m_number = 0; // 0: by fraction
+  bool m_is_parallel = false;
 };
 
 } // namespace Protrusion_segmentation

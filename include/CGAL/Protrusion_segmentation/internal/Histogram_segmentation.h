@@ -35,10 +35,12 @@ public:
   Histogram_segmentation(const Surface_part& surface,
                          const Distance& distance,
                          const Border_conditions& conditions,
+                         bool parallel,
                          Monitor<Visitor>& monitor)
     : m_surface(surface),
       m_distance(distance),
       m_conditions(conditions),
+      m_parallel(parallel),
       m_monitor(monitor),
       m_extract(surface),
       m_forest(surface),
@@ -176,7 +178,7 @@ private:
         else
           m_monitor.visitor().tip_found(extracted.faces[face]);
         add_tip_record(extracted.part, face, !extracted.is_on_cut[face], distances, section,
-                       m_records[segment.id]);
+                       m_records[segment.id], m_parallel);
       });
   }
 
@@ -191,7 +193,8 @@ private:
       const Index face =
         static_cast<Index>(std::lower_bound(faces.begin(), faces.end(), tip) - faces.begin());
       segment.distances(face, distances);
-      add_tip_record(segment.extracted.part, face, true, distances, section, m_records[segment.id]);
+      add_tip_record(segment.extracted.part, face, true, distances, section, m_records[segment.id],
+                     m_parallel);
     }
   }
 
@@ -271,6 +274,7 @@ private:
   const Surface_part& m_surface;
   const Distance& m_distance;
   Border_conditions m_conditions;
+  bool m_parallel;
   Monitor<Visitor>& m_monitor;
   Part_extractor m_extract;
   Segment_forest m_forest;

@@ -39,14 +39,15 @@ inline void add_tip_record(const Surface_part& part,
                            bool is_plausible,
                            const std::vector<double>& distances,
                            Plane_section& section,
-                           Tip_records& records)
+                           Tip_records& records,
+                           bool parallel)
 {
   const Slots slots(distances);
   std::vector<double> to_earlier_tips;
   for (const Tip_record& record : records)
     to_earlier_tips.push_back(distances[record.tip]);
   records.push_back({tip, is_plausible, slots.histogram(),
-                     sectional_diameter_histogram(part, distances, slots, section),
+                     sectional_diameter_histogram(part, distances, slots, section, parallel),
                      std::move(to_earlier_tips)});
 }
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
 #include <CGAL/Protrusion_segmentation/internal/distance_histogram.h>
+#include <CGAL/Protrusion_segmentation/internal/for_each_index.h>
 #include <CGAL/Protrusion_segmentation/internal/plane_section.h>
 
 #include <algorithm>
@@ -81,18 +82,22 @@ inline std::array<double, number_of_slots> sectional_diameter_histogram(
   const Surface_part& part,
   const std::vector<double>& distances,
   const Slots& slots,
-  Plane_section& section)
+  Plane_section& section,
+  bool parallel = false)
 {
-  std::array<double, number_of_slots> diameters;
-  for (std::size_t s = 0; s < number_of_slots; ++s)
-  {
-    diameters[s] = 0;
-    if (!slots.faces(s).empty())
-      diameters[s] =
-        diameter_of_slot(plane_of_slot(part, distances, slots, s), slots, s, section);
-    if (diameters[s] == 0 && s > 0)
+  std::array<double, number_of_slots> diameters{};
+  for_each_index(
+    number_of_slots, parallel, section,
+    [&](Plane_section& section_of_thread, std::size_t s)
+    {
+      if (!slots.faces(s).empty())
+        diameters[s] = diameter_of_slot(plane_of_slot(part, distances, slots, s), slots, s,
+                                        section_of_thread);
+    },
+    [](const Plane_section&) {});
+  for (std::size_t s = 1; s < number_of_slots; ++s)
+    if (diameters[s] == 0)
       diameters[s] = diameters[s - 1];
-  }
   return diameters;
 }
 
