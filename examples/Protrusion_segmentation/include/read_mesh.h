@@ -5,7 +5,7 @@
 #ifndef CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_READ_MESH_H
 #define CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_READ_MESH_H
 
-#include "check_mesh_header.h"
+#include "check_announcements.h"
 #include "tool_error.h"
 
 #include <CGAL/IO/polygon_soup_io.h>
@@ -116,13 +116,6 @@ inline void check_readable(const std::string& file_name)
 
 inline bool read_soup_by_extension(const std::string& file_name, Polygon_soup& soup)
 {
-  if(lower_case_extension(file_name) == ".ply")
-  {
-    // CGAL's reader looks too late whether it is at the end of the file.
-    std::ifstream in(file_name, std::ios::binary);
-    in.exceptions(std::ios::failbit | std::ios::badbit);
-    return CGAL::IO::read_PLY(in, soup.points, soup.polygons, CGAL::parameters::verbose(false));
-  }
 #ifdef CGAL_USE_VTK
   if(lower_case_extension(file_name) == ".vtp")
     return CGAL::IO::read_VTP(file_name, soup.points, soup.polygons);
@@ -135,7 +128,7 @@ inline Polygon_soup read_soup(const std::string& file_name)
 {
   check_readable(file_name);
   check_format(file_name);
-  check_header(file_name);
+  check_announcements(file_name);
   Polygon_soup soup;
   bool is_read = false;
   try

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What CGAL's readers take on trust: that a file holds as much as its header announces, and that
-// vertices have coordinates.
+// What CGAL's readers take on trust: that a file holds as much as it announces.
 
-#ifndef CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_CHECK_MESH_HEADER_H
-#define CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_CHECK_MESH_HEADER_H
+#ifndef CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_CHECK_ANNOUNCEMENTS_H
+#define CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_CHECK_ANNOUNCEMENTS_H
 
+#include "check_PLY.h"
 #include "tool_error.h"
 
 #include <algorithm>
@@ -13,9 +13,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <set>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 namespace tool {
 
@@ -58,42 +58,15 @@ inline void check_header_OFF(const std::string& file_name)
   }
 }
 
-inline void check_header_PLY(const std::string& file_name)
-{
-  std::ifstream in(file_name, std::ios::binary);
-  std::string element;
-  std::set<std::string> vertex_properties;
-  for(std::string line; std::getline(in, line);)
-  {
-    std::istringstream words(line);
-    std::string keyword, type, name;
-    words >> keyword >> type >> name;
-    if(keyword == "end_header")
-      break;
-    if(keyword == "element")
-    {
-      element = type;
-      double count = 0;
-      std::istringstream(name) >> count;
-      check_count(file_name, count);
-    }
-    else if(keyword == "property" && element == "vertex")
-      vertex_properties.insert(name);
-  }
-  for(const char* coordinate : {"x", "y", "z"})
-    if(vertex_properties.count(coordinate) == 0)
-      throw Error(file_name, std::string("its vertices have no property ") + coordinate);
-}
-
-inline void check_header(const std::string& file_name)
+inline void check_announcements(const std::string& file_name)
 {
   const std::string extension = lower_case_extension(file_name);
   if(extension == ".off")
     check_header_OFF(file_name);
   else if(extension == ".ply")
-    check_header_PLY(file_name);
+    PLY_checker(file_name).check();
 }
 
 } // namespace tool
 
-#endif // CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_CHECK_MESH_HEADER_H
+#endif // CGAL_EXAMPLES_PROTRUSION_SEGMENTATION_CHECK_ANNOUNCEMENTS_H
