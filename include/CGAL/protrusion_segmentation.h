@@ -29,9 +29,10 @@ namespace CGAL {
 splits a surface mesh into a body and its protrusions, with distances and a border method of choice.
 
 Segment ids are 0 to n-1, where n is the returned number. Every segment is a connected set of faces.
-Connected components have the first ids, in the order of `faces(tmesh)`; what remains of a component when
-its protrusions are cut off, the body, keeps the id of the component, and every further id is a protrusion,
-in the order in which they were cut off.
+Connected components have the first ids, in the order of `faces(tmesh)`. Every border then splits one segment
+in two; the protrusion that it cuts off gets the next id and the rest keeps the old one. For
+`Minimum_cut_border` the protrusion is the side of smaller area, for `Histogram_border` the side of the tip. So
+what remains of a component in the end, its body, has the id of the component.
 
 A mesh of several connected components has at least as many segments, even if fewer were asked for. It may
 have fewer segments than asked for if no more borders are found.

@@ -20,15 +20,17 @@ namespace Protrusion_segmentation {
 
 Borders along concave seams: the default border method.
 
-A cut costs its length, little where it runs along a concave seam. Among the level sets of the distances
-from protrusion tips, those are candidates that cost least for the area that they cut off. A candidate is
-replaced by the minimum cut in a band around it. Its value is estimated from how much of it lies in a concave
-seam, its length, how suddenly the surface widens behind it and the areas on both sides. The best cut of all
-segments splits its segment; so the segmentations for different numbers of segments are nested. Without a
-number of segments, the method stops when no cut has a positive value.
+A cut costs its length, little where it runs along a concave seam. Candidates are those level sets of the
+distances from protrusion tips, and of the differences of the distances from two tips, that cost least for
+the area that they cut off. Where the minimum cut in a band around a candidate is better, it takes its place.
+The value of a cut is estimated from how much of it lies in a concave seam, its length, how suddenly the
+surface widens behind it and the areas on both sides. The best cut of all segments splits its segment; so the
+segmentations for different numbers of segments are nested. Without a number of segments, the method stops
+when no cut has an evident value.
 
-Cuts are searched on a coarse graph of some thousand nodes, so that the time for a cut hardly depends on the
-number of faces. Parts of less than 0.2 % of the area of the surface are not cut off.
+Cuts are searched on a coarse graph of some two thousand nodes, so that the time for a cut hardly depends on
+the number of faces. Parts of less than 0.25 % of the area of the surface are not cut off: with a large number
+of segments there may be fewer than asked for.
 
 \cgalModels{ProtrusionBorder}
 */

@@ -106,11 +106,9 @@ public:
       if (distances.size() < tips_in_pairs)
         distances.push_back(last_distances(part));
       for (Index i : part)
-      {
         m_to_nearest_tip[i] = (std::min)(m_to_nearest_tip[i], m_partition.distance(i));
-        if (m_to_nearest_tip[i] > m_to_nearest_tip[tip])
-          tip = i;
-      }
+      tip = *std::max_element(part.begin(), part.end(), [&](Index a, Index b)
+                              { return m_to_nearest_tip[a] < m_to_nearest_tip[b]; });
       if (m_to_nearest_tip[tip] < least_distance * std::sqrt(part_area))
         break;
     }

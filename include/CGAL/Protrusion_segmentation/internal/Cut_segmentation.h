@@ -62,7 +62,7 @@ public:
   Segment_forest with_number_of_segments(std::size_t k) { return split(k, -(std::numeric_limits<double>::infinity)()); }
   Segment_forest with_evident_protrusions()
   {
-    return split((std::numeric_limits<std::size_t>::max)(), least_evident_value);
+    return split(Monitor<Visitor>::unlimited(), least_evident_value);
   }
 
   // Cuts off, for one tip after the other, the protrusion with the best border that has the tip but none of
@@ -90,8 +90,9 @@ private:
   // The structure of a shape of up to some dozen parts shows in that many nodes; cuts get worse with more,
   // since details come to the fore.
   static constexpr Index number_of_nodes = 2000;
-  // Cuts of less value separate what people would rather leave together.
-  static constexpr double least_evident_value = 0;
+  // Cuts of less value are not evident. Above 0 people would rather cut than not; between 0 and .03 the Rand
+  // index error is the same (.115), while the mean number of segments falls from 9 to 6, people having 8.
+  static constexpr double least_evident_value = 0.02;
 
   struct Part
   {
@@ -279,7 +280,7 @@ private:
   // `inner_faces` are marked and still have the label of their parent.
   void report(Index parent, Index id, const Cut& cut, const Nodes& inner_faces)
   {
-    const double unit = m_monitor.unit() * std::sqrt(m_surface.area());
+    const double unit = m_monitor.unit() * std::sqrt(m_surface.area()); // there is no cut without area
     Protrusion protrusion;
     protrusion.segment = id;
     protrusion.parent = parent;

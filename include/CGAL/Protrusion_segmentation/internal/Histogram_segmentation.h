@@ -62,7 +62,7 @@ public:
   // Stops when no segment has an evident protrusion.
   Segment_forest with_evident_protrusions()
   {
-    split_all((std::numeric_limits<std::size_t>::max)());
+    split_all(Monitor<Visitor>::unlimited());
     return std::move(m_forest);
   }
 
@@ -124,7 +124,7 @@ private:
       if (!largest)
         return;
       const std::size_t missing = k - m_forest.number_of_segments();
-      const bool has_k = k != (std::numeric_limits<std::size_t>::max)();
+      const bool has_k = k != Monitor<Visitor>::unlimited();
       is_exhausted[*largest] = !split(*largest, has_k ? missing : maximum_number_of_tips);
       is_exhausted.resize(m_forest.number_of_segments(), false);
     }

@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Default_visitor.h>
 
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
@@ -35,11 +36,15 @@ public:
     if (!m_visitor.go_further())
       throw Cancelled();
   }
+  // With no number requested, `unlimited()`, the share grows with every segment and never gets to 1.
   void progress(std::size_t found, std::size_t requested)
   {
-    m_visitor.progress(requested == 0 ? 0. : static_cast<double>(found) / static_cast<double>(requested));
+    const double share = static_cast<double>(found);
+    m_visitor.progress(requested == unlimited() ? share / (share + 1)
+                                                : share / static_cast<double>(requested));
     check();
   }
+  static constexpr std::size_t unlimited() { return (std::numeric_limits<std::size_t>::max)(); }
 
 private:
   Visitor& m_visitor;

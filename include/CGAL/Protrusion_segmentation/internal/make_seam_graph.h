@@ -60,7 +60,7 @@ inline Seam_graph make_seam_graph(const Surface_part& part)
   using Index = Surface_part::Index;
   using Vector_3 = Surface_part::Vector_3;
   using Constants = Seam_constants;
-  const double unit = std::sqrt(part.area());
+  const double unit = part.area() > 0 ? std::sqrt(part.area()) : 1;
   const double outward = signed_volume(part) < 0 ? -1 : 1;
   const std::vector<Vector_3> normals = smooth_normals(part, Constants::normal_radius * unit);
 
