@@ -18,11 +18,12 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// Whether both sides of a cut are more than a detail of the mesh. Areas are shares of the whole surface.
+// A side of a cut with a smaller share of the surface is a detail of the mesh and no part of the shape.
+constexpr double least_area_of_part = 0.0025;
+
 inline bool is_large_enough(double area, double part_area)
 {
-  constexpr double least_area = 0.0025;
-  return (std::min)(area, part_area - area) >= least_area;
+  return (std::min)(area, part_area - area) >= least_area_of_part;
 }
 
 // The cost of a cut relative to the area of its smaller side. The exponent lies between the relative length
@@ -76,7 +77,7 @@ public:
       m_rank[order[i]] = static_cast<Index>(i);
     for (Index node : order)
     {
-      const Index root = absorb(node, part_area, add);
+      const Index root = absorb(node, add);
       Component& component = m_components[root];
       const double cost = relative_cost(component.cost, component.area, part_area);
       if (cost < component.best)
@@ -109,7 +110,7 @@ private:
 
   // Adds `node` to the components that it touches, merging them; returns the root of the result.
   template <typename Add>
-  Index absorb(Index node, double part_area, Add add)
+  Index absorb(Index node, Add add)
   {
     const Seam_graph& graph = m_partition.graph();
     m_parent[node] = node;
@@ -130,17 +131,17 @@ private:
       cost -= graph.capacity[arc];
       const Index other = find(neighbor);
       if (other != root)
-        root = merge(root, other, part_area, add);
+        root = merge(root, other, add);
     }
     m_components[root].cost += cost;
     return root;
   }
 
   template <typename Add>
-  Index merge(Index a, Index b, double part_area, Add add)
+  Index merge(Index a, Index b, Add add)
   {
-    const bool a_counts = is_large_enough(m_components[a].area, part_area);
-    const bool b_counts = is_large_enough(m_components[b].area, part_area);
+    const bool a_counts = m_components[a].area >= least_area_of_part;
+    const bool b_counts = m_components[b].area >= least_area_of_part;
     if (a_counts && b_counts) // two branches end here
     {
       add(m_components[a]);
