@@ -18,6 +18,7 @@
 #include <functional>
 #include <iostream>
 #include <string>
+#include <vector>
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 using CGAL::Protrusion_segmentation::Protrusion;
@@ -32,12 +33,14 @@ public:
   {
     std::cout << "segment " << protrusion.segment << " with its tip at face " << protrusion.tip
               << "\n";
-    for (std::size_t slot = 0; slot < protrusion.distance_histogram.size(); slot += 4)
+    const std::vector<std::size_t>& histogram = protrusion.distance_histogram;
+    for (std::size_t slot = 0; slot < histogram.size(); slot += 4)
     {
-      const std::size_t faces = (std::min)(protrusion.distance_histogram[slot], std::size_t(60));
+      const std::size_t largest = *std::max_element(histogram.begin(), histogram.end());
+      const std::size_t length = 60 * histogram[slot] / largest;
       const double diameter = protrusion.sectional_diameter_histogram[slot];
       std::cout << (slot / 4 == protrusion.border_slot / 4 ? "border " : "       ")
-                << std::string(faces, '#') << "  diameter " << diameter << "\n";
+                << std::string(length, '#') << "  diameter " << diameter << "\n";
     }
   }
 
@@ -62,7 +65,9 @@ int main(int argc, char* argv[])
     auto segments = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
     Watcher watcher;
     const std::size_t number_of_segments = CGAL::segmentation_via_protrusion_tips(
-        mesh, segments, CGAL::parameters::visitor(std::ref(watcher)));
+        mesh, segments, 7, CGAL::Protrusion_segmentation::Geodesic_distance(),
+        CGAL::Protrusion_segmentation::Histogram_border(), // the method that has histograms
+        CGAL::parameters::visitor(std::ref(watcher)));
     if (number_of_segments == 0)
       std::cout << "stopped, nothing is segmented" << std::endl;
     else
