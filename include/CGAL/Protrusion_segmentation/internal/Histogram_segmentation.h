@@ -59,9 +59,11 @@ public:
     return std::move(m_forest);
   }
 
-  // Stops when no segment has an evident protrusion.
+  // Stops when no segment has an evident protrusion. Small segments are not looked into: the flow takes the
+  // largest one first, and details have prominent borders as well.
   Segment_forest with_evident_protrusions()
   {
+    m_least_area_to_split = 0.1 * m_surface.area();
     split_all(Monitor<Visitor>::unlimited());
     return std::move(m_forest);
   }
@@ -137,7 +139,8 @@ private:
       areas[m_forest.labels[f]] += m_surface.area(f);
     std::optional<Index> largest;
     for (Index s = 0; s < areas.size(); ++s)
-      if (!is_exhausted[s] && (!largest || areas[s] > areas[*largest]))
+      if (!is_exhausted[s] && areas[s] >= m_least_area_to_split &&
+          (!largest || areas[s] > areas[*largest]))
         largest = s;
     return largest;
   }
@@ -278,6 +281,7 @@ private:
   Monitor<Visitor>& m_monitor;
   Part_extractor m_extract;
   Segment_forest m_forest;
+  double m_least_area_to_split = 0;
   std::vector<Tip_records> m_records; // of every segment whose tips were selected
 };
 
