@@ -86,12 +86,12 @@ void few_runs_on_large_meshes()
     std::cout << part.number_of_faces() << " faces: " << runs << " runs\n";
     CHECK(runs <= most);
   };
-  check_runs(bumpy_sphere(5, 1), 260);
-  check_runs(bumpy_sphere(6, 1), 490);
-  check_runs(star(5), 39);
-  check_runs(creature(), 33);
-  check_runs(height_field(100, 100, 1), 53);
-  check_runs(capsule_with_ball(), 415);
+  check_runs(bumpy_sphere(5, 1), 80);
+  check_runs(bumpy_sphere(6, 1), 147);
+  check_runs(star(5), 20);
+  check_runs(creature(), 17);
+  check_runs(height_field(100, 100, 1), 30);
+  check_runs(capsule_with_ball(), 138);
 }
 
 int main()

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Archetypes: classes with nothing but what the concepts ask for.
+
+#include "segmentations.h"
+#include "test_meshes.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+using namespace test_meshes;
+using namespace CGAL::Protrusion_segmentation;
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+// A distance without a way of its own to the face of eq. (1): the number of edges to cross.
+class Hop_distances
+{
+public:
+  explicit Hop_distances(const Surface_part& part) : m_part(&part) {}
+  Hop_distances(Hop_distances&&) = default;
+  Hop_distances& operator=(Hop_distances&&) = delete;
+
+  void operator()(Surface_part::Index source, std::vector<double>& distances)
+  {
+    ++m_number_of_runs;
+    distances.assign(m_part->number_of_faces(), infinity());
+    distances[source] = 0;
+    std::vector<Surface_part::Index> queue(1, source);
+    for(std::size_t i = 0; i < queue.size(); ++i)
+      for(Surface_part::Index c = m_part->first_corner(queue[i]);
+          c < m_part->first_corner(queue[i] + 1); ++c)
+      {
+        const Surface_part::Index g = m_part->neighbor(c);
+        if(g == Surface_part::no_face() || distances[g] < infinity())
+          continue;
+        distances[g] = distances[queue[i]] + 1;
+        queue.push_back(g);
+      }
+  }
+
+  std::size_t number_of_runs() const { return m_number_of_runs; }
+
+private:
+  static constexpr double infinity() { return std::numeric_limits<double>::infinity(); }
+
+  const Surface_part* m_part;
+  std::size_t m_number_of_runs = 0;
+};
+
+class Hop_distance
+{
+public:
+  explicit Hop_distance(int) {}
+  Hop_distance(const Hop_distance&) = delete;
+  Hop_distance& operator=(const Hop_distance&) = delete;
+
+  auto on(const Surface_part& part, unsigned int /* random_seed */) const
+  {
+    return Hop_distances(part);
+  }
+};
+
+// Not derived from Default_visitor; copied, but not assigned or made from nothing.
+class Visitor
+{
+public:
+  explicit Visitor(std::size_t& calls) : m_calls(&calls) {}
+  Visitor(const Visitor&) = default;
+  Visitor& operator=(const Visitor&) = delete;
+
+  void stage_starts(Stage) { ++*m_calls; }
+  void stage_ends(Stage) { ++*m_calls; }
+  void progress(double) { ++*m_calls; }
+  bool go_further() { return true; }
+  void tip_found(std::size_t) { ++*m_calls; }
+  void tip_eliminated(std::size_t) { ++*m_calls; }
+  void protrusion_found(const Protrusion&) { ++*m_calls; }
+  void distances_computed(std::size_t) { ++*m_calls; }
+
+private:
+  std::size_t* m_calls;
+};
+
+int main()
+{
+  const Test_mesh soup = star(3, 2, 0.2, 0.04, 0.25);
+  const Mesh mesh = to_graph<Mesh>(soup);
+  const Hop_distance distance(0);
+  const Histogram_border border;
+  std::size_t calls = 0;
+
+  const Segmentation found = checked(mesh, [&](auto ids)
+  {
+    return CGAL::segmentation_via_protrusion_tips(mesh, ids, 4, distance, border,
+                                                  CGAL::parameters::visitor(Visitor(calls)));
+  });
+  CHECK_EQUAL(found.number, 4);
+  CHECK(calls > 10);
+
+  std::vector<Mesh::Face_index> tips;
+  CGAL::protrusion_tips(mesh, 3, std::back_inserter(tips), distance);
+  std::set<std::size_t> arms;
+  for(const Mesh::Face_index tip : tips)
+    arms.insert(soup.parts[tip]);
+  CHECK(arms == (std::set<std::size_t>{1, 2, 3}));
+  CHECK(checked(mesh, [&](auto ids)
+  {
+    return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, distance, border);
+  }).number > 1);
+  return check::result();
+}
