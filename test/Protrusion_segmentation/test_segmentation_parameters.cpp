@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Named parameters, visitors, options, tips, several components, and what is refused.
+// Named parameters, options, several components, and what is refused.
 
 #include "segmentations.h"
 #include "test_meshes.h"
@@ -16,7 +16,6 @@ namespace parameters = CGAL::parameters;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Face_descriptor = Mesh::Face_index;
 
 const Test_mesh& star_soup()
 {
@@ -121,208 +120,6 @@ void edges_with_one_face_are_no_borders()
     CHECK(!item.second);
 }
 
-struct Recorder : Default_visitor
-{
-  void stage_starts(Stage stage)
-  {
-    open.push_back(stage);
-    ++stages[stage];
-  }
-  void stage_ends(Stage stage)
-  {
-    CHECK(!open.empty() && open.back() == stage);
-    open.pop_back();
-  }
-  void progress(double share)
-  {
-    CHECK(share >= 0 && share <= 1);
-    shares.push_back(share);
-  }
-  bool go_further() { return ++questions != stop_at; }
-  void tip_found(std::size_t face) { tips.insert(face); }
-  void protrusion_found(const Protrusion& protrusion) { protrusions.push_back(protrusion); }
-  void distances_computed(std::size_t number_of_runs) { runs += number_of_runs; }
-
-  std::vector<Stage> open;
-  std::map<Stage, int> stages;
-  std::vector<double> shares;
-  std::size_t questions = 0, stop_at = 0, runs = 0;
-  std::set<std::size_t> tips;
-  std::vector<Protrusion> protrusions;
-};
-
-void a_visitor_is_told_what_is_found()
-{
-  const double factor = 3; // lengths and areas are in the unit of the mesh
-  const Test_mesh soup = scaled(star_soup(), factor);
-  Recorder recorder;
-  const Segmentation found =
-    paper_segmentation(to_graph<Mesh>(soup), 5, parameters::visitor(std::ref(recorder)));
-
-  CHECK(recorder.open.empty());
-  for(const Stage stage : {Stage::READING, Stage::TIPS, Stage::BORDERS, Stage::LABELS})
-    CHECK(recorder.stages[stage] > 0);
-  CHECK(std::is_sorted(recorder.shares.begin(), recorder.shares.end()));
-  CHECK_EQUAL(recorder.shares.back(), 1);
-  CHECK(recorder.runs > 4 && recorder.runs < 200);
-
-  CHECK_EQUAL(recorder.protrusions.size(), 4);
-  for(const Protrusion& protrusion : recorder.protrusions)
-  {
-    CHECK(protrusion.parent < protrusion.segment && protrusion.segment < found.number);
-    CHECK_EQUAL(found.labels[protrusion.tip], protrusion.segment);
-    CHECK_EQUAL(recorder.tips.count(protrusion.tip), 1);
-    CHECK(protrusion.border_distance > factor && protrusion.border_distance < 2.5 * factor);
-    // around the arm, in zigzag
-    const double girth = 2 * pi * 0.15 * factor;
-    CHECK(protrusion.border_length > girth && protrusion.border_length < 2 * girth);
-    double area = 0;
-    for(std::size_t f = 0; f < found.labels.size(); ++f)
-      area += found.labels[f] == protrusion.segment ? face_area(soup, soup.faces[f]) : 0;
-    CHECK_CLOSE(protrusion.area, area, 1e-9 * area);
-    CHECK(protrusion.score >= 0.3);
-    CHECK(protrusion.border_slot < 100);
-    CHECK_EQUAL(protrusion.distance_histogram.size(), 100);
-    CHECK(std::accumulate(protrusion.distance_histogram.begin(), protrusion.distance_histogram.end(),
-                          std::size_t(0)) > soup.faces.size() / 2);
-    // half way down the arm the diameter is that of the arm
-    CHECK_CLOSE(protrusion.sectional_diameter_histogram.at(protrusion.border_slot / 2), 0.3 * factor,
-                0.05 * factor);
-  }
-}
-
-void visitors_are_copied_unless_passed_by_reference()
-{
-  Recorder recorder;
-  paper_segmentation(star_mesh(), 2, parameters::visitor(recorder));
-  CHECK(recorder.stages.empty());
-  paper_segmentation(star_mesh(), 2, parameters::visitor(std::ref(recorder)));
-  CHECK(!recorder.stages.empty());
-}
-
-void a_visitor_stops_the_method_at_every_question()
-{
-  Recorder all;
-  paper_segmentation(star_mesh(), 5, parameters::visitor(std::ref(all)));
-  CHECK(all.questions > 5);
-  for(std::size_t question = 1; question <= all.questions; ++question)
-  {
-    Recorder recorder;
-    recorder.stop_at = question;
-    std::map<Mesh::Edge_index, bool> is_border;
-    const Segmentation found = paper_segmentation(
-      star_mesh(), 5, parameters::visitor(std::ref(recorder))
-                        .edge_is_constrained_map(boost::make_assoc_property_map(is_border)));
-    CHECK_EQUAL(found.number, 0); // and `checked()` sees that nothing was written
-    CHECK(is_border.empty());
-    CHECK_EQUAL(recorder.questions, question);
-    CHECK(recorder.open.empty());
-  }
-}
-
-struct Failing_visitor : Default_visitor
-{
-  void tip_found(std::size_t) { throw std::runtime_error("no more tips"); }
-};
-
-void exceptions_of_a_visitor_get_through()
-{
-  Segment_ids<Mesh> ids(star_mesh());
-  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(
-                      star_mesh(), ids.map(), 5, Geodesic_distance(), Histogram_border(),
-                      parameters::visitor(Failing_visitor())),
-                    std::runtime_error, "no more tips");
-  CHECK(is_untouched({0, ids.labels()}));
-}
-
-std::vector<Face_descriptor> tips_of(const Mesh& mesh, std::size_t number)
-{
-  std::vector<Face_descriptor> tips;
-  CGAL::protrusion_tips(mesh, number, std::back_inserter(tips), Geodesic_distance());
-  return tips;
-}
-
-template <typename Tips>
-Segmentation segmentation_from_tips(const Mesh& mesh, const Tips& tips)
-{
-  return checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, Geodesic_distance(),
-                                                   Histogram_border());
-  });
-}
-
-void tips_alone_and_from_tips_make_the_whole()
-{
-  const std::vector<Face_descriptor> tips = tips_of(star_mesh(), 4);
-  CHECK_EQUAL(tips.size(), 4);
-  std::set<std::size_t> arms;
-  for(const Face_descriptor tip : tips)
-    arms.insert(star_soup().parts[tip]);
-  CHECK(arms == (std::set<std::size_t>{1, 2, 3, 4}));
-  CHECK(segmentation_from_tips(star_mesh(), tips).labels
-        == paper_segmentation(star_mesh(), 5).labels);
-}
-
-void edited_tips_make_the_segments_of_those_left()
-{
-  std::vector<Face_descriptor> tips = tips_of(star_mesh(), 4);
-  const std::size_t left_out = star_soup().parts[tips[1]];
-  tips.erase(tips.begin() + 1);
-  const Segmentation found = segmentation_from_tips(star_mesh(), tips);
-  CHECK_EQUAL(found.number, 4);
-  for(std::size_t f = 0; f < found.labels.size(); ++f)
-    if(star_soup().parts[f] == left_out)
-      CHECK_EQUAL(found.labels[f], 0);
-  CHECK_EQUAL(segmentation_from_tips(star_mesh(), std::vector<Face_descriptor>()).number, 1);
-  CHECK_EQUAL(segmentation_from_tips(star_mesh(), std::array<Face_descriptor, 1>{tips[0]}).number, 2);
-}
-
-void a_tip_given_twice_counts_once()
-{
-  std::vector<Face_descriptor> tips = tips_of(star_mesh(), 4);
-  const Labels expected = segmentation_from_tips(star_mesh(), tips).labels;
-  tips.push_back(tips[0]);
-  tips.insert(tips.begin() + 2, tips[1]);
-  CHECK(segmentation_from_tips(star_mesh(), tips).labels == expected);
-}
-
-void impossible_tips_are_refused()
-{
-  Segment_ids<Mesh> ids(star_mesh());
-  const std::vector<Face_descriptor> beyond(1, Face_descriptor(unsigned(num_faces(star_mesh()))));
-  CHECK_THROWS_WITH(CGAL::segmentation_from_protrusion_tips(star_mesh(), beyond, ids.map(),
-                                                            Geodesic_distance(), Histogram_border()),
-                    std::invalid_argument, "tips");
-  CHECK_THROWS_WITH(CGAL::segmentation_from_protrusion_tips(
-                      star_mesh(), std::vector<Face_descriptor>(1, Mesh::null_face()), ids.map(),
-                      Geodesic_distance(), Histogram_border()),
-                    std::invalid_argument, "tips");
-  CHECK(is_untouched({0, ids.labels()}));
-  CHECK_THROWS_WITH(tips_of(to_graph<Mesh>(tetrahedron()), 5), std::invalid_argument,
-                    "number_of_tips is 5");
-  CHECK_EQUAL(tips_of(to_graph<Mesh>(tetrahedron()), 4).size(), 4);
-  CHECK_EQUAL(tips_of(star_mesh(), 0).size(), 0);
-  CHECK_EQUAL(tips_of(Mesh(), 0).size(), 0);
-}
-
-// Tips go to the component with the largest area per tip, the new one counted.
-void components_share_the_tips()
-{
-  const Test_mesh small = icosphere(1), large = scaled(icosphere(2), 2);
-  const Mesh mesh = to_graph<Mesh>(merged({small, translated(large, {5, 0, 0})}));
-  const auto tips_on_small = [&](std::size_t number)
-  {
-    const std::vector<Face_descriptor> tips = tips_of(mesh, number);
-    CHECK_EQUAL(tips.size(), number);
-    return std::count_if(tips.begin(), tips.end(), [&](Face_descriptor f) { return std::size_t(f) < small.faces.size(); });
-  };
-  CHECK_EQUAL(tips_on_small(1), 0);
-  CHECK_EQUAL(tips_on_small(4), 0); // area 4 to 1
-  CHECK_EQUAL(tips_on_small(5), 1);
-  CHECK_EQUAL(tips_on_small(10), 2);
-}
-
 void every_component_is_a_segment_at_least()
 {
   const Test_mesh one = star_soup();
@@ -389,15 +186,6 @@ int main()
   points_are_read_from_the_map();
   borders_are_the_edges_between_segments();
   edges_with_one_face_are_no_borders();
-  a_visitor_is_told_what_is_found();
-  visitors_are_copied_unless_passed_by_reference();
-  a_visitor_stops_the_method_at_every_question();
-  exceptions_of_a_visitor_get_through();
-  tips_alone_and_from_tips_make_the_whole();
-  edited_tips_make_the_segments_of_those_left();
-  a_tip_given_twice_counts_once();
-  impossible_tips_are_refused();
-  components_share_the_tips();
   every_component_is_a_segment_at_least();
   impossible_numbers_of_segments_are_refused();
   impossible_options_are_refused();
