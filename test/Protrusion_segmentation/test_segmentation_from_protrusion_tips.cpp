@@ -108,7 +108,10 @@ void components_share_the_tips()
   {
     const std::vector<Face_descriptor> tips = tips_of(mesh, number);
     CHECK_EQUAL(tips.size(), number);
-    return std::count_if(tips.begin(), tips.end(), [&](Face_descriptor f) { return std::size_t(f) < small.faces.size(); });
+    return std::count_if(tips.begin(), tips.end(), [&](Face_descriptor f)
+    {
+      return std::size_t(f) < small.faces.size();
+    });
   };
   CHECK_EQUAL(tips_on_small(1), 0);
   CHECK_EQUAL(tips_on_small(4), 0); // area 4 to 1
