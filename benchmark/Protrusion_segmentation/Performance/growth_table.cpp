@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "measure.h"
+#include "tables.h"
+
+#include <CGAL/Protrusion_segmentation/internal/make_surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <iostream>
+
+namespace {
+
+namespace PS = CGAL::Protrusion_segmentation;
+
+// Nanoseconds a face of one computation of shortest distances, the median of ten.
+double nanoseconds_per_run(const Mesh& mesh)
+{
+  const auto input = PS::internal::make_surface_part(mesh, CGAL::parameters::default_values());
+  PS::internal::Shortest_distances shortest_distances(input.surface);
+  std::vector<double> distances;
+  PS::Surface_part::Index source = 0;
+  const PS::Surface_part::Index n = input.surface.number_of_faces();
+  return 1e9 / n *
+         seconds_of(10,
+                    [&]
+                    {
+                      shortest_distances(source, distances);
+                      source += n / 10;
+                    });
+}
+
+} // namespace
+
+void print_growth_table(const Options& options, const Benchmark_folder& folder)
+{
+  std::cout << "## 4. Growth\n\n"
+            << "Model " << options.growth_model
+            << ", subdivided by Loop's rule again and again. Memory: how far the process grows during the "
+               "call, above the mesh. Goals: time for a face and Dijkstra run within 1.5 times of the first "
+               "line; 300 bytes for a face; 4 million faces in minutes and within 24 GB.\n\n";
+  Model model = folder.read_model(options.growth_model);
+  const std::vector<Segmentation_method> methods = methods_to_measure(options);
+  std::vector<std::string> header = {"faces", "Dijkstra run [ns / face]", "times the first"};
+  for(const Segmentation_method& method : methods)
+    for(const char* unit : {" [s]", " [us / face]", " [bytes / face]"})
+      header.push_back(method.name + unit);
+  const Markdown_table table(header);
+  double first = 0;
+  for(; model.mesh.number_of_faces() <= options.largest_growth;
+      CGAL::Subdivision_method_3::Loop_subdivision(model.mesh,
+                                                   CGAL::parameters::number_of_iterations(1)))
+  {
+    const double n = double(model.mesh.number_of_faces());
+    const double per_run = nanoseconds_per_run(model.mesh);
+    first = first > 0 ? first : per_run;
+    std::vector<std::string> cells = {number(n, 0), number(per_run), number(per_run / first)};
+    for(const Segmentation_method& method : methods)
+    {
+      double seconds = 0;
+      const double bytes = peak_bytes_of(
+        [&]
+        {
+          seconds = seconds_of(1, [&] { method.segment(model.mesh, model.number_of_segments, 0); });
+        });
+      cells.insert(cells.end(), {number(seconds), number(1e6 * seconds / n), number(bytes / n)});
+    }
+    table.row(cells);
+  }
+}

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The inner loops on meshes built in code, with Google Benchmark:
+//
+//   kernel_benchmark [--benchmark_filter=REGEX] [--benchmark_repetitions=N]
+
+#include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/make_surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/sectional_diameter_histogram.h>
+#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/generators.h>
+#include <CGAL/subdivision_method_3.h>
+
+#include <benchmark/benchmark.h>
+
+#include <boost/graph/dijkstra_shortest_paths.hpp>
+
+#include <cmath>
+#include <vector>
+
+namespace {
+
+namespace PS = CGAL::Protrusion_segmentation;
+using Index = PS::Surface_part::Index;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+// A sphere of 20 * 4^level faces with six bumps.
+Mesh bumpy_sphere(int level)
+{
+  using Point = Mesh::Point;
+  Mesh mesh;
+  CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(level));
+  for(const auto v : vertices(mesh))
+  {
+    const auto direction = mesh.point(v) - CGAL::ORIGIN;
+    const double length = std::sqrt(direction.squared_length());
+    double largest = 0;
+    for(int axis = 0; axis < 3; ++axis)
+      largest = std::max(largest, std::abs(direction[axis]) / length);
+    mesh.point(v) = CGAL::ORIGIN + direction * ((1 + std::pow(largest, 40)) / length);
+  }
+  return mesh;
+}
+
+auto surface(const benchmark::State& state)
+{
+  return PS::internal::make_surface_part(bumpy_sphere(int(state.range(0))),
+                                         CGAL::parameters::default_values());
+}
+
+void count_faces(benchmark::State& state, const PS::Surface_part& part)
+{
+  state.SetItemsProcessed(state.iterations() * part.number_of_faces());
+}
+
+void make_surface_part(benchmark::State& state)
+{
+  const Mesh mesh = bumpy_sphere(int(state.range(0)));
+  for(auto _ : state)
+    benchmark::DoNotOptimize(
+      PS::internal::make_surface_part(mesh, CGAL::parameters::default_values()));
+  state.SetItemsProcessed(state.iterations() * std::int64_t(mesh.number_of_faces()));
+}
+
+void shortest_distances(benchmark::State& state)
+{
+  const auto input = surface(state);
+  PS::internal::Shortest_distances shortest(input.surface);
+  std::vector<double> distances;
+  for(auto _ : state)
+    shortest(0, distances);
+  count_faces(state, input.surface);
+}
+
+void shortest_distances_of_boost(benchmark::State& state)
+{
+  const auto input = surface(state);
+  const auto& graph = input.surface.dual_graph();
+  std::vector<double> distances(input.surface.number_of_faces());
+  for(auto _ : state)
+    boost::dijkstra_shortest_paths_no_color_map(
+      graph, Index(0),
+      boost::weight_map(get(&PS::Surface_part::Arc::length, graph))
+        .distance_map(boost::make_iterator_property_map(distances.begin(),
+                                                        get(boost::vertex_index, graph))));
+  count_faces(state, input.surface);
+}
+
+void face_of_largest_sum(benchmark::State& state)
+{
+  const auto input = surface(state);
+  std::size_t runs = 0;
+  for(auto _ : state)
+  {
+    PS::internal::Shortest_distances shortest(input.surface);
+    benchmark::DoNotOptimize(PS::internal::largest_distance_sum(input.surface, shortest));
+    runs = shortest.number_of_runs();
+  }
+  state.counters["runs"] = double(runs);
+}
+
+void landmark_distances(benchmark::State& state)
+{
+  const auto input = surface(state);
+  for(auto _ : state)
+    benchmark::DoNotOptimize(PS::Landmark_geodesic_distance(0.01).on(input.surface, 0));
+}
+
+void sections_of_a_tip(benchmark::State& state)
+{
+  const auto input = surface(state);
+  PS::internal::Shortest_distances shortest(input.surface);
+  std::vector<double> distances;
+  shortest(0, distances);
+  const PS::internal::Slots slots(distances);
+  PS::internal::Plane_section section(input.surface);
+  for(auto _ : state)
+    benchmark::DoNotOptimize(
+      PS::internal::sectional_diameter_histogram(input.surface, distances, slots, section));
+  count_faces(state, input.surface);
+}
+
+BENCHMARK(make_surface_part)->DenseRange(4, 6)->Unit(benchmark::kMillisecond);
+BENCHMARK(shortest_distances)->DenseRange(4, 7)->Unit(benchmark::kMillisecond);
+BENCHMARK(shortest_distances_of_boost)->DenseRange(4, 7)->Unit(benchmark::kMillisecond);
+BENCHMARK(face_of_largest_sum)->DenseRange(4, 6)->Unit(benchmark::kMillisecond);
+BENCHMARK(landmark_distances)->DenseRange(4, 5)->Unit(benchmark::kMillisecond);
+BENCHMARK(sections_of_a_tip)->DenseRange(4, 6)->Unit(benchmark::kMillisecond);
+
+} // namespace
+
+BENCHMARK_MAIN();

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The tables of the benchmark. Methods come from `protrusion_methods()` of the quality benchmark: a further
+// one is registered there, once, and appears in all tables of whole segmentations.
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_TABLES_H
+#define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_TABLES_H
+
+#include "Benchmark_folder.h"
+#include "Segmentation_method.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+struct Options
+{
+  std::string folder;
+  std::string models = "2,18,34,50,66,82,98,114,130,146,162,178,194,210,226,242,258,282,298,314,330,346,362,378,394";
+  std::string methods = "Minimum-cut,Paper-GD";
+  std::vector<int> tables = {1, 2, 3, 4, 5};
+  std::size_t repetitions = 3;
+  int growth_model = 90;
+  std::size_t largest_growth = 4100000;
+  std::size_t threads = 2;
+};
+
+// Of the registered ones those that `options.methods` names, in its order.
+// Throws `std::invalid_argument` if a name is unknown.
+std::vector<Segmentation_method> methods_to_measure(const Options& options);
+
+// 1. Table II of the paper: its method with each distance.
+void print_distance_table(const Options& options, const Benchmark_folder& folder);
+
+// 2. Against CGAL's segmentation by shape diameters.
+void print_peer_table(const Options& options, const Benchmark_folder& folder);
+
+// 3. Against reading the file of the mesh.
+void print_reading_table(const Options& options, const Benchmark_folder& folder);
+
+// 4. One shape with four times as many faces in each step.
+void print_growth_table(const Options& options, const Benchmark_folder& folder);
+
+// 5. The parallel parts with one and with several threads.
+void print_thread_table(const Options& options, const Benchmark_folder& folder);
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_TABLES_H

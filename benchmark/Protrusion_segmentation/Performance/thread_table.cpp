@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "measure.h"
+#include "tables.h"
+
+#include <CGAL/protrusion_segmentation.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <functional>
+#include <iostream>
+
+namespace {
+
+namespace PS = CGAL::Protrusion_segmentation;
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+// A line for `call(tag)`: one thread against several.
+template <typename Call>
+void print_row(const Markdown_table& table, const std::string& name, const Options& options, Call call)
+{
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
+  const double one =
+    seconds_of(options.repetitions, [&] { call(CGAL::Sequential_tag()); }, Clock::WALL);
+  const double several =
+    seconds_of(options.repetitions, [&] { call(CGAL::Parallel_tag()); }, Clock::WALL);
+  table.row({name, number(1e3 * one), number(1e3 * several), number(one / several)});
+}
+
+void print_rows(const Options& options, const Benchmark_folder& folder, const Markdown_table& table)
+{
+  const Model model = folder.read_model(393);
+  const auto input = PS::internal::make_surface_part(model.mesh, CGAL::parameters::default_values());
+  const PS::Surface_part& part = input.surface;
+  print_row(table, "distances from the landmarks of LGD(5)", options, [&](auto tag)
+            { PS::Landmark_geodesic_distance(0.05).concurrency_tag(tag).on(part, 0); });
+
+  PS::internal::Shortest_distances shortest_distances(part);
+  std::vector<double> distances;
+  shortest_distances(0, distances);
+  const PS::internal::Slots slots(distances);
+  PS::internal::Plane_section section(part);
+  print_row(table, "sections of 20 tips", options,
+            [&](auto tag)
+            {
+              for(int i = 0; i < 20; ++i)
+                PS::internal::sectional_diameter_histogram(part, distances, slots, section,
+                                                           PS::internal::is_parallel<decltype(tag)>());
+            });
+
+  Labels labels(model.mesh.number_of_faces());
+  print_row(table, "the paper's method with LGD(5)", options,
+            [&](auto tag)
+            {
+              CGAL::segmentation_via_protrusion_tips(
+                model.mesh, CGAL::make_property_map(labels), model.number_of_segments,
+                PS::Landmark_geodesic_distance(0.05).concurrency_tag(tag),
+                PS::Histogram_border().concurrency_tag(tag));
+            });
+}
+
+#else
+
+void print_rows(const Options&, const Benchmark_folder&, const Markdown_table& table)
+{
+  table.row({"compiled without TBB", "", "", ""});
+}
+
+#endif
+
+} // namespace
+
+void print_thread_table(const Options& options, const Benchmark_folder& folder)
+{
+  const std::string threads = std::to_string(options.threads) + " threads";
+  std::cout << "## 5. One thread against " << threads
+            << "\n\nModel 393. Goal: 1.8 times faster with 2 threads.\n\n";
+  print_rows(options, folder,
+             Markdown_table({"part", "1 thread [ms]", threads + " [ms]", "times faster"}));
+}
