@@ -46,6 +46,11 @@ public:
     std::vector<Index> corner_begin(1, 0), corner_vertices, corner_neighbors;
     std::vector<bool> is_on_cut(faces.size(), false);
     corner_begin.reserve(faces.size() + 1);
+    std::size_t number_of_corners = 0;
+    for (Index f : faces)
+      number_of_corners += m_surface.first_corner(f + 1) - m_surface.first_corner(f);
+    corner_vertices.reserve(number_of_corners);
+    corner_neighbors.reserve(number_of_corners);
     for (Index i = 0; i < faces.size(); ++i)
     {
       for (Index c = m_surface.first_corner(faces[i]); c < m_surface.first_corner(faces[i] + 1); ++c)

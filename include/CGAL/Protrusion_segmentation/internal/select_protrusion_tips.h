@@ -56,9 +56,9 @@ Tip_selection select_protrusion_tips(const Surface_part& part,
 {
   using Index = Surface_part::Index;
   Tip_selection selection;
+  Index face = count > 0 ? first_protrusion_tip(part, distances) : 0;
   std::vector<double> to_nearest_tip(part.number_of_faces(), (std::numeric_limits<double>::max)());
   std::vector<double> from_tip;
-  Index face = count > 0 ? first_protrusion_tip(part, distances) : 0;
   while (selection.tips.size() < count)
   {
     distances(face, from_tip);

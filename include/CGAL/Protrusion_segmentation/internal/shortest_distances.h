@@ -117,6 +117,7 @@ private:
   void run_buckets(Index source, std::vector<double>& distances, double bound)
   {
     m_tree.parent.resize(distances.size());
+    m_tree.order.reserve(distances.size() + distances.size() / 8); // more than the faces scanned again
     distances[source] = 0;
     m_buckets[0].push_back(source);
     std::size_t pending = 1;
