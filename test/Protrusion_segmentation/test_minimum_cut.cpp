@@ -63,11 +63,11 @@ double best_component(const Seam_graph& graph, const Nodes& order)
   return best;
 }
 
-void sweeps_find_the_best_level_set(unsigned int seed)
+void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
 {
-  const Seam_graph graph = internal::make_seam_graph(to_surface_part(random_surface(seed)));
+  const Seam_graph graph = internal::make_seam_graph(to_surface_part(mesh));
   Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
-  Nodes order = partition.nodes_by_distance(Nodes(1, seed % graph.number_of_nodes()),
+  Nodes order = partition.nodes_by_distance(Nodes(1, tip % graph.number_of_nodes()),
                                             [](Index) { return true; }, graph.concave_length);
   CHECK_EQUAL(order.size(), graph.number_of_nodes());
   internal::Level_set_sweep sweep(partition);
@@ -158,8 +158,10 @@ void best_cuts_of_a_star_are_its_arms()
   Graph_partition partition(graph, std::vector<Index>(part.size(), 0));
   internal::Cut_search search(partition);
   const std::vector<internal::Cut> cuts = search.cuts(0, part, search.tip_fields(0, part));
-  CHECK(cuts.size() >= 6);
-  for(std::size_t c = 0; c < 6 && c < cuts.size(); ++c)
+  // more than one, but not always all: the others are found in what remains
+  constexpr std::size_t least_number = 3;
+  CHECK(cuts.size() >= least_number);
+  for(std::size_t c = 0; c < least_number && c < cuts.size(); ++c)
   {
     CHECK(cuts[c].value > 0);
     CHECK(c == 0 || cuts[c].value <= cuts[c - 1].value);
@@ -175,10 +177,12 @@ int main()
 {
   for(unsigned int seed = 0; seed < 60; ++seed)
   {
-    sweeps_find_the_best_level_set(seed);
+    sweeps_find_the_best_level_set(random_surface(seed), seed);
     minimum_cuts_are_minimal(seed);
     both_sides_of_a_cut_are_connected(seed);
   }
+  // faces much smaller than the least area of a part: a branch that grows to the whole keeps its best
+  sweeps_find_the_best_level_set(capsule_with_ball(), 0);
   best_cuts_of_a_star_are_its_arms();
   return check::result();
 }
