@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_DIFFUSION_DISTANCE_H
+#define CGAL_PROTRUSION_SEGMENTATION_DIFFUSION_DISTANCE_H
+
+#if !__has_include(<Eigen/Core>) || !__has_include(<Spectra/SymEigsSolver.h>)
+#error "Diffusion_distance.h needs the header libraries Eigen and Spectra (Debian: libspectra-dev)"
+#endif
+
+#include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/diffusion_map.h>
+#include <CGAL/Protrusion_segmentation/internal/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/random_walk.h>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationDistances
+
+The diffusion distance DD of Section III.B.1 of the paper: how differently two random walks are distributed
+after some time that start at the one and at the other face.
+
+The walk leaves a face over an edge with a weight of the edge's length divided by the distance of the two
+centroids, and stays with a weight of 50 times the area of the face, the mean area of all faces being 1. So
+it spreads as heat does, alike where faces are small and where they are large, whatever the scale of the
+mesh. With <i>W</i> the symmetric matrix of these weights, <i>D</i> the diagonal matrix of its row sums
+<i>d</i><sub>i</sub>, <i>P</i> = <i>D</i><sup>-1</sup><i>W</i> and <i>p</i>(<i>t</i>, <i>z</i> | <i>i</i>) the
+entry of <i>P</i><sup><i>t</i></sup> in row <i>i</i> and column <i>z</i>, the squared distance after <i>t</i>
+steps is
+
+&sum;<sub><i>z</i></sub> (<i>p</i>(<i>t</i>, <i>z</i> | <i>i</i>) - <i>p</i>(<i>t</i>, <i>z</i> | <i>j</i>))<sup>2</sup>
+<i>w</i>(<i>z</i>)
+= &sum;<sub><i>k</i> &ge; 1</sub> &lambda;<sub><i>k</i></sub><sup>2<i>t</i></sup>
+(&psi;<sub><i>k</i></sub>(<i>i</i>) - &psi;<sub><i>k</i></sub>(<i>j</i>))<sup>2</sup>
+
+with <i>w</i>(<i>z</i>) = &sum;<sub><i>k</i></sub> <i>d</i><sub><i>k</i></sub> / <i>d</i><sub><i>z</i></sub>, the
+inverse of the walk's stationary distribution. Here &psi;<sub><i>k</i></sub> are the right eigenvectors of
+<i>P</i>, with a mean square of 1 under the stationary distribution; the trivial one,
+&psi;<sub>0</sub> = 1, is left out. The first few terms of the right sum make up the distance. All terms of an
+eigenvalue are taken or none, since single eigenvectors of a multiple eigenvalue are not determined.
+
+The number of steps is measured by the time in which the slowest term decays, 1 / ln(1 / &lambda;<sub>1</sub>)
+steps, since a number that fits a mesh is far too small for the same shape with more faces.
+
+Preparing the distances on a part costs one sparse factorization and some dozen solutions,
+about linear in practice; then the distances from a face take linear time per eigenpair. The memory is about 30 numbers per face and eigenpair.
+
+The header needs the libraries Eigen and Spectra.
+
+\cgalModels{ProtrusionDistance}
+*/
+class Diffusion_distance
+{
+public:
+  /// the distances on one part
+  /// \cgalModels{ProtrusionDistancesOnPart}
+  class On_part
+  {
+  public:
+    On_part(const Surface_part& part, std::size_t number_of_eigenpairs, double time) : m_part(part)
+    {
+      const internal::Random_walk walk = internal::make_random_walk(part);
+      const internal::Eigenpairs pairs = internal::eigenpairs(walk, number_of_eigenpairs);
+      const Eigen::Index size = static_cast<Eigen::Index>(pairs.size());
+      m_points.resize(size, part.number_of_faces());
+      for (Eigen::Index k = 0; k < size; ++k)
+        m_points.row(k) = internal::decay(pairs.values, static_cast<std::size_t>(k), time) *
+                          internal::right_eigenvector(walk, pairs.vectors[static_cast<std::size_t>(k)]);
+    }
+
+    /// computes the distances from a face.
+    /// \param source the face
+    /// \param distances is filled with the distances of all faces
+    void operator()(Surface_part::Index source, std::vector<double>& distances)
+    {
+      ++m_number_of_runs;
+      distances.resize(m_part.number_of_faces());
+      const Eigen::VectorXd from = m_points.col(source);
+      for (Surface_part::Index f = 0; f < m_part.number_of_faces(); ++f)
+        distances[f] = (m_points.col(f) - from).norm();
+    }
+    /// the face of eq. (1), found exactly: the distance is a metric
+    Surface_part::Index face_of_largest_sum() { return internal::largest_distance_sum(m_part, *this); }
+    std::size_t number_of_runs() const { return m_number_of_runs; }
+
+    /// the number of terms: fewer than asked for if the part has too few faces, more if the last one's
+    /// eigenvalue is a multiple one
+    std::size_t number_of_eigenpairs() const { return static_cast<std::size_t>(m_points.rows()); }
+
+  private:
+    const Surface_part& m_part;
+    Eigen::MatrixXd m_points; // of each face its coordinates, whose Euclidean distances are the distances
+    std::size_t m_number_of_runs = 0;
+  };
+
+  /// DD(10), the better of the numbers that the paper tried
+  static constexpr std::size_t default_number_of_eigenpairs() { return 10; }
+  /// the best of 0, 0.3, 0.6 and 1 on development models of the Princeton benchmark
+  static constexpr double default_time() { return 0.6; }
+
+  /// `number_of_eigenpairs` terms after `time` relaxation times of the random walk: <i>t</i> = `time` /
+  /// ln(1 / &lambda;<sub>1</sub>) steps. At time 0 all terms have the same weight; with time the
+  /// distance approaches a multiple of the difference in &psi;<sub>1</sub>.
+  /// \throw std::invalid_argument if `number_of_eigenpairs` is 0, or `time` is negative or not finite
+  /// \throw std::runtime_error by `on()` if the eigenvalue solver does not converge
+  explicit Diffusion_distance(std::size_t number_of_eigenpairs = default_number_of_eigenpairs(),
+                              double time = default_time())
+    : m_number_of_eigenpairs(number_of_eigenpairs), m_time(time)
+  {
+    if (number_of_eigenpairs == 0)
+      throw std::invalid_argument("Diffusion_distance: number_of_eigenpairs is 0");
+    if (!(time >= 0 && std::isfinite(time)))
+      throw std::invalid_argument("Diffusion_distance: time is negative or not finite");
+  }
+
+  /// computes the eigenpairs of a part. `part` must outlive the result.
+  On_part on(const Surface_part& part, unsigned int /* random_seed */) const
+  {
+    return On_part(part, m_number_of_eigenpairs, m_time);
+  }
+
+private:
+  std::size_t m_number_of_eigenpairs;
+  double m_time;
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_DIFFUSION_DISTANCE_H
