@@ -6,8 +6,6 @@ The concept `ProtrusionDistance` describes the requirements on a distance betwee
 which protrusion tips are selected and histograms are made (Section III.B of the paper). A model holds the
 options of the distance and makes from them the distances on each part of a surface that is looked at.
 
-\cgalRefines{CopyConstructible}
-
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Protrusion_segmentation::Geodesic_distance}
 \cgalHasModels{CGAL::Protrusion_segmentation::Landmark_geodesic_distance}

@@ -31,8 +31,8 @@ public:
 
   /*!
   is called again and again.
-  \param share the share of the segments asked for that are found, from 0 to 1; it stays near 0 as long as no
-               number of segments was asked for, until it is 1 at the end
+  \param share the share of the segments asked for that are found, from 0 to 1; if no number of segments was
+               asked for, it grows with every segment. It is 1 at the end.
   */
   void progress(double share);
 

@@ -87,6 +87,9 @@ inline std::vector<Test_mesh> awkward_surfaces()
       v = v == two_cones.points.size() - 1 ? 0 : v;
   Test_mesh with_flat_faces = icosphere(1);
   with_flat_faces.points[0] = with_flat_faces.points[with_flat_faces.faces[0][1]];
+  Test_mesh with_point_face = icosphere(1);
+  for(const std::size_t v : with_point_face.faces[0])
+    with_point_face.points[v] = with_point_face.points[with_point_face.faces[0][0]];
   Test_mesh pillow = single_triangle();
   pillow.add_face({0, 2, 1});
   Test_mesh hub; // a polygon around which triangles hang: an eigenvalue of high multiplicity
@@ -102,7 +105,7 @@ inline std::vector<Test_mesh> awkward_surfaces()
     hub.add_face({(i + 1) % 60, i, hub.add_point({2 * std::cos(angle), 2 * std::sin(angle), 0})});
   }
   return {single_triangle(), thin_strip(1), thin_strip(1, 0), thin_strip(300, 1e-6), pillow, hub, two_cones,
-          with_flat_faces, scaled(icosphere(1), 0), scaled(icosphere(1), 1, 0, 0),
+          with_flat_faces, with_point_face, scaled(icosphere(1), 0), scaled(icosphere(1), 1, 0, 0),
           scaled(icosphere(1), 1, 1, 0), moebius_strip(), l_prism(), pierced_plate(2, 2), football()};
 }
 
@@ -142,12 +145,12 @@ inline double share_of_right_faces(const Test_mesh& soup, const std::vector<std:
 // One tip on each arm of a star, none on the body; and as many segments as arms and a body by either
 // border method, with the true borders by the one that looks at more than distances.
 template <typename Distance>
-void check_segments_stars(const Distance& distance, std::size_t most_arms = 6)
+void check_segments_stars(const Distance& distance, std::size_t most_arms = 6, double cell = 0.22)
 {
   using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
   for(std::size_t arms = 3; arms <= most_arms; ++arms)
   {
-    const Test_mesh soup = star(arms);
+    const Test_mesh soup = star(arms, 2, 0.25, 0.04, cell);
     const Mesh mesh = to_graph<Mesh>(soup);
     std::vector<Mesh::Face_index> tips;
     CGAL::protrusion_tips(mesh, arms, std::back_inserter(tips), distance);

@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_EXACT_GEODESIC_DISTANCE_H
+#define CGAL_PROTRUSION_SEGMENTATION_EXACT_GEODESIC_DISTANCE_H
+
+#include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/triangulate_part.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh_shortest_path.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationDistances
+
+The length of the shortest path on the surface itself between the centroids of two faces, which may cross
+faces anywhere, computed by `CGAL::Surface_mesh_shortest_path`. Exact up to rounding.
+
+Polygons are divided into triangles, next to flat triangles are widened a little, and the surface is cut where
+it touches itself in a vertex. Where the algorithm reaches a face on no path, its distance is that of
+`Geodesic_distance`.
+
+The distances from one face take time and memory quadratic in the number of faces at worst, in practice some
+hundred times as long as shortest paths in the face dual graph: a reference for small meshes.
+
+\cgalModels{ProtrusionDistance}
+*/
+class Exact_geodesic_distance
+{
+public:
+  /// the distances on one part
+  /// \cgalModels{ProtrusionDistancesOnPart}
+  class On_part
+  {
+  public:
+    explicit On_part(const Surface_part& part)
+      : m_part(part),
+        m_triangulated(std::make_unique<Triangulated>(internal::Part_triangulator<Point>(part)())),
+        m_shortest_distances(part)
+    {
+      if (!(part.area() > 0) || !internal::widen_flat_triangles(m_triangulated->mesh))
+        return;
+      m_paths = std::make_unique<Paths>(m_triangulated->mesh);
+      for (Surface_part::Index f = 0; f < part.number_of_faces(); ++f)
+        m_centroids.push_back(locate_centroid(f));
+    }
+
+    /// computes the distances from a face.
+    /// \param source the face
+    /// \param distances is filled with the distances of all faces
+    void operator()(Surface_part::Index source, std::vector<double>& distances)
+    {
+      ++m_number_of_runs;
+      m_shortest_distances(source, distances);
+      if (!m_paths || !has_triangle(source))
+        return;
+      m_paths->remove_all_source_points();
+      m_paths->add_source_point(m_centroids[source].triangle, m_centroids[source].coordinates);
+      for (Surface_part::Index f = 0; f < m_part.number_of_faces(); ++f)
+        if (has_triangle(f))
+        {
+          const double distance =
+            m_paths->shortest_distance_to_source_points(m_centroids[f].triangle, m_centroids[f].coordinates)
+              .first;
+          if (distance >= 0 && std::isfinite(distance)) // -1: on no path
+            distances[f] = distance;
+        }
+      distances[source] = 0;
+    }
+    /// \return the face of eq. (1), found exactly: the distance is a metric
+    Surface_part::Index face_of_largest_sum() { return internal::largest_distance_sum(m_part, *this); }
+    /// \return from how many faces distances were computed so far
+    std::size_t number_of_runs() const { return m_number_of_runs; }
+
+  private:
+    using Kernel = Exact_predicates_inexact_constructions_kernel;
+    using Point = Kernel::Point_3;
+    using Triangulated = internal::Triangulated_part<Point>;
+    using Mesh = Surface_mesh<Point>;
+    using Traits = Surface_mesh_shortest_path_traits<Kernel, Mesh>;
+    using Paths = Surface_mesh_shortest_path<Traits>;
+
+    struct Location
+    {
+      Mesh::Face_index triangle;
+      Traits::Barycentric_coordinates coordinates;
+    };
+
+    bool has_triangle(Surface_part::Index f) const
+    {
+      return m_triangulated->first_triangle[f] < m_triangulated->first_triangle[f + 1];
+    }
+
+    // The centroid of a face in the triangle of its fan that holds it, or holds it best where the fan
+    // overlaps or misses it.
+    Location locate_centroid(Surface_part::Index f) const
+    {
+      Location best;
+      double best_margin = -(std::numeric_limits<double>::infinity)();
+      for (auto t = m_triangulated->first_triangle[f]; t < m_triangulated->first_triangle[f + 1]; ++t)
+      {
+        const Mesh::Face_index triangle(t);
+        std::array<double, 3> weights =
+          m_triangulated->first_triangle[f] + 1 == m_triangulated->first_triangle[f + 1]
+            ? std::array<double, 3>{1, 1, 1}
+            : weights_in_triangle(triangle, m_part.centroid(f));
+        const double margin = *std::min_element(weights.begin(), weights.end());
+        if (margin <= best_margin)
+          continue;
+        best_margin = margin;
+        for (double& w : weights)
+          w = (std::max)(w, 0.);
+        const double sum = weights[0] + weights[1] + weights[2];
+        best = {triangle, {{weights[0] / sum, weights[1] / sum, weights[2] / sum}}};
+      }
+      return best;
+    }
+
+    // Barycentric coordinates of the projection of a point, in the order of the corners that
+    // `Surface_mesh_shortest_path` uses.
+    std::array<double, 3> weights_in_triangle(Mesh::Face_index triangle,
+                                              const Surface_part::Point_3& centroid) const
+    {
+      const Mesh& mesh = m_triangulated->mesh;
+      const auto h = mesh.halfedge(triangle);
+      const std::array<Point, 3> corners = {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                            mesh.point(mesh.target(mesh.next(h)))};
+      const Point p(centroid.x(), centroid.y(), centroid.z());
+      const Kernel::Vector_3 normal = cross_product(corners[1] - corners[0], corners[2] - corners[0]);
+      std::array<double, 3> weights;
+      for (std::size_t i = 0; i < 3; ++i)
+        weights[i] = cross_product(corners[(i + 1) % 3] - p, corners[(i + 2) % 3] - p) * normal /
+                     normal.squared_length();
+      return weights;
+    }
+
+    const Surface_part& m_part;
+    std::unique_ptr<Triangulated> m_triangulated; // where it is when an `On_part` is moved
+    std::unique_ptr<Paths> m_paths;               // refers to the mesh; none where it cannot work
+    std::vector<Location> m_centroids;
+    internal::Shortest_distances m_shortest_distances;
+    std::size_t m_number_of_runs = 0;
+  };
+
+  /// prepares the distances on a connected part.
+  /// \param part the part, which must outlive the result
+  /// \return the distances on it
+  On_part on(const Surface_part& part, unsigned int /* random_seed */) const { return On_part(part); }
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_EXACT_GEODESIC_DISTANCE_H
