@@ -35,6 +35,7 @@ struct Segmentation_method
 {
   std::string name; // as the option --methods and the tables write it: no blanks, no commas
   std::function<Labels(const Mesh&, std::size_t number_of_segments, unsigned int seed)> segment;
+  bool runs_by_default = true; // too slow for most of the benchmark's models otherwise
 };
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_SEGMENTATION_METHOD_H

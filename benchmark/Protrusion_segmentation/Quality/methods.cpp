@@ -6,6 +6,7 @@
 #include "protrusion_methods.h"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -29,9 +30,10 @@ std::vector<Segmentation_method> all_methods()
 std::vector<Segmentation_method> chosen_methods(const std::string& list)
 {
   const std::vector<Segmentation_method> all = all_methods();
-  if(list.empty())
-    return all;
   std::vector<Segmentation_method> result;
+  if(list.empty())
+    std::copy_if(all.begin(), all.end(), std::back_inserter(result),
+                 [](const Segmentation_method& m) { return m.runs_by_default; });
   std::istringstream in(list);
   for(std::string name; std::getline(in, name, ','); )
   {

@@ -181,7 +181,7 @@ int main(int argc, char** argv)
                "princeton_benchmark");
   app.add_option("--folder", options.folder, "benchmark: off/, seg/ and nSeg-ByModel.txt");
   app.add_option("--models", options.models, "such as 2,4,10-50 (default: all that are there)");
-  app.add_option("--methods", options.methods, "such as K-Means,Voronoi (default: all)");
+  app.add_option("--methods", options.methods, "such as K-Means,Voronoi (default: all but the slowest)");
   app.add_option("--threads", options.threads, "models at a time (default: 1)");
   app.add_option("--seed", options.seed, "of what is random (default: 0)");
   app.add_option("--output", options.output, "folder for tables.md, models.csv, classes.csv");
