@@ -10,6 +10,7 @@
 #include "tool/Progress_bar.h"
 #include "tool/json.h"
 #include "tool/outputs.h"
+#include "tool/report.h"
 #include "tool/segment.h"
 
 #include <filesystem>
@@ -29,7 +30,8 @@ struct Command_line
   std::string input;
   Options options;
   std::vector<std::string> outputs;
-  std::string json; // "-" is the standard output
+  std::string json;   // "-" is the standard output
+  std::string report; // empty: none
   bool is_quiet = false;
 };
 
@@ -71,10 +73,14 @@ void check_names(const Command_line& command_line)
     tool::check_output_name(name);
   if (!command_line.json.empty() && command_line.json != "-")
     all.push_back(command_line.json);
+  if (!command_line.report.empty())
+    all.push_back(command_line.report);
   for (const std::string& name : all)
     if (!seen.insert(fs::weakly_canonical(name, ignored)).second)
       throw std::invalid_argument("'" + name + "' is named twice");
 }
+
+constexpr const char* no_report = "three.js was not found when this program was built";
 
 void check(const CLI::App& app, const Command_line& command_line)
 {
@@ -84,6 +90,8 @@ void check(const CLI::App& app, const Command_line& command_line)
     check_meanings(app, tool::distances(), command_line.options.distance);
     tool::check_options(command_line.options);
     check_names(command_line);
+    if (!command_line.report.empty() && !tool::can_write_report())
+      throw std::invalid_argument(std::string("--report: ") + no_report);
   }
   catch (const std::invalid_argument& error)
   {
@@ -135,9 +143,15 @@ void check_outputs_can_be_written(const Command_line& command_line)
 {
   for (const std::string& name : command_line.outputs)
     if (!tool::is_pattern(name))
+  app.add_option("--report", command_line.report,
+                 "write a page for the browser: the mesh in 3D, to turn and to click on, and what is\n"
+                 "known of each segment" +
+                     (tool::can_write_report() ? "" : std::string("; not here: ") + no_report))
+      ->type_name("FILE");
       tool::Output_files::check(name);
-  if (!command_line.json.empty())
-    tool::Output_files::check(command_line.json);
+  for (const std::string& name : {command_line.json, command_line.report})
+    if (!name.empty())
+      tool::Output_files::check(name);
 }
 
 // Why there are not as many segments as were asked for, or nothing.
@@ -182,8 +196,9 @@ void print_summary(const Command_line& command_line,
             << std::setprecision(3) << segmentation.seconds << " s\n";
   for (const std::string& name : command_line.outputs)
     std::cout << "wrote " << name << "\n";
-  if (!command_line.json.empty())
-    std::cout << "wrote " << command_line.json << "\n";
+  for (const std::string& name : {command_line.json, command_line.report})
+    if (!name.empty())
+      std::cout << "wrote " << name << "\n";
 }
 
 void run(const Command_line& command_line)
@@ -197,13 +212,16 @@ void run(const Command_line& command_line)
   for (const std::string& name : command_line.outputs)
     tool::add_output(name, mesh, segmentation, files);
   if (!command_line.json.empty())
-    files.add(command_line.json,
-              [&](std::ostream& out) {
-                tool::write_json(out, command_line.input, command_line.options, segmentation, note);
-              });
+    files.add(command_line.json, [&](std::ostream& out) { tool::write_json(out, record); });
+  if (!command_line.report.empty())
+    files.add(command_line.report, [&](std::ostream& out) {
+      tool::write_report(out, record, mesh, segmentation.segment_ids);
+    });
   files.publish();
   if (!command_line.is_quiet)
     print_summary(command_line, segmentation, note);
+  const auto record =
+      tool::describe(command_line.input, command_line.options, segmentation, note);
   tool::finish_standard_output();
 }
 

@@ -96,9 +96,9 @@ test_outputs()
   local in=outputs/teddy.off
   expect 0 "$make_mesh" teddy $in --faces 3000
   expect 0 "$segment" $in -k 4 --method paper -o outputs/a.ply -o outputs/a.off -o outputs/a.seg -o outputs/parts/%d.ply \
-           -o outputs/parts/part%d.off --json outputs/a.json
+           -o outputs/parts/part%d.off -o outputs/a.glb -o outputs/a.vtp --json outputs/a.json
   expect_text stdout "4 segments"
-  expect_files outputs teddy.off a.ply a.off a.seg a.json parts parts/{0,1,2,3}.ply parts/part{0,1,2,3}.off
+  expect_files outputs teddy.off a.ply a.off a.seg a.glb a.vtp a.json parts parts/{0,1,2,3}.ply parts/part{0,1,2,3}.off
   local faces
   faces=$(sed -n 2p $in | cut -d' ' -f2)
   [ "$(wc -l <outputs/a.seg)" = "$faces" ] || fail "a.seg has not one line per face"
@@ -111,8 +111,17 @@ test_outputs()
   for key in "\"faces\": $faces," '"segments_requested": 4,' '"segments": 4,' '"dijkstra_runs": ' \
              '"seconds": ' '"input": ' '"method": "paper"' '"distance": "geodesic"' '"seed": 0' \
              '"protrusions": [' '"stages": [' '"note": null' '"border_slot": ' '"distance_histogram": [' \
-             '"sectional_diameter_histogram": ['; do
+             '"sectional_diameter_histogram": [' '"hierarchy": [' '"children": ['; do
     expect_text outputs/a.json "$key"
+  expect_text outputs/a.vtp "NumberOfPolys=\"$faces\""
+  [ "$(sed -n '/Name="segment"/,/DataArray>/p' outputs/a.vtp | grep -v DataArray)" = "$(cat outputs/a.seg)" ] ||
+    fail "a.vtp has other segments than a.seg"
+  [ "$(head -c 4 outputs/a.glb)" = glTF ] || fail "a.glb is no binary glTF"
+  [ "$(od -An -t u4 -j 8 -N 4 outputs/a.glb | tr -d ' ')" = "$(stat -c %s outputs/a.glb)" ] ||
+    fail "a.glb has another length than its header says"
+  for id in 0 1 2 3; do
+    expect_text outputs/a.glb "segment $id"
+  done
   done
 
   # What was written can be read, and says the same.
@@ -131,10 +140,35 @@ test_determinism()
   for options in "" "--method paper" "--distance landmark" "--distance landmark --landmarks 20 --seed 7"; do
     for i in 1 2; do
       # shellcheck disable=SC2086
-      expect 0 "$segment" $in -k 6 $options -o outputs/same$i.seg -o outputs/same$i.ply
+# Where three.js was not found at build time, that is said, and nothing is written.
+test_report()
+{
+  local in=outputs/teddy.off name="outputs/</script>"
+  run "$segment" $in -k 4 --report outputs/a.html
+  if [ "$code" = 2 ]; then
+    expect_one_line "three.js was not found"
+    [ ! -e outputs/a.html ] || fail "$command: wrote a report"
+    return
+  fi
+  expect 0 "$segment" $in -k 4 --report outputs/a.html
+  expect_text stdout "wrote outputs/a.html"
+  expect_text outputs/a.html "three.js authors"
+  expect_text outputs/a.html '"border_length":'
+  expect_text outputs/a.html "</html>"
+  expect 1 "$segment" $in --report outputs/missing/a.html
+  expect_one_line "outputs/missing/a.html: cannot be written"
+  mkdir -p "$name" # a name that ends the script in which it stands
+  cp $in "$name/a.off"
+  expect 0 "$segment" "$name/a.off" --report outputs/a.html
+  [ "$(grep -c "</script>/a.off" outputs/a.html)" = 0 ] || fail "$command: the name of the input ends the page's script"
+  rm -r outputs/a.html "outputs/<"
+}
+
+      expect 0 "$segment" $in -k 6 $options -o outputs/same$i.seg -o outputs/same$i.ply -o outputs/same$i.glb
     done
-    cmp -s outputs/same1.seg outputs/same2.seg || fail "$command: two runs differ"
-    cmp -s outputs/same1.ply outputs/same2.ply || fail "$command: two runs differ"
+    for extension in seg ply glb; do
+      cmp -s outputs/same1.$extension outputs/same2.$extension || fail "$command: two runs differ"
+    done
   done
   expect 0 "$segment" $in --json -
   expect_text stdout '"segments_requested": null'
@@ -184,7 +218,7 @@ test_awkward_meshes()
 
 test_awkward_segmentations()
 {
-  local name duty
+  local name duty distance
   while IFS=$'\t' read -r name duty; do
     run "$evaluate" "$data/tetrahedron.off" "$data/$name" "$data/good.seg" --json awkward/a.json
     if [ "$duty" = accept ]; then
@@ -242,3 +276,4 @@ test_awkward_segmentations
 test_unwritable_outputs
 echo "$failures failures"
 [ "$failures" = 0 ]
+test_report

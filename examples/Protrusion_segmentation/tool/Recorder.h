@@ -23,7 +23,6 @@ struct Stage_record
 {
   std::string name;
   double seconds = 0; // of nested stages only the innermost counts
-  std::size_t runs = 0;
 };
 
 // A visitor that keeps what it is told.
@@ -62,12 +61,8 @@ public:
     m_protrusions.push_back(protrusion);
     show();
   }
-  void distances_computed(std::size_t number_of_runs)
-  {
-    m_number_of_runs += number_of_runs;
-    if (!m_running.empty())
-      m_stages[m_running.back()].runs += number_of_runs;
-  }
+  // Runs are told when a segment or all is done, so they belong to no stage.
+  void distances_computed(std::size_t number_of_runs) { m_number_of_runs += number_of_runs; }
 
 private:
   using Clock = std::chrono::steady_clock;

@@ -2,8 +2,6 @@
 
 #include "json.h"
 
-#include <nlohmann/json.hpp>
-
 namespace tool
 {
 namespace
@@ -34,7 +32,7 @@ Json describe(const Protrusion& protrusion)
 
 Json describe(const Stage_record& stage)
 {
-  return {{"stage", stage.name}, {"seconds", stage.seconds}, {"dijkstra_runs", stage.runs}};
+  return {{"stage", stage.name}, {"seconds", stage.seconds}};
 }
 
 template <typename Range>
@@ -46,16 +44,32 @@ Json describe_all(const Range& range)
   return array;
 }
 
+// The nested protrusions as a tree for each connected component, whose body is the root. The children
+// are in the order in which they were cut off; a parent has a lower number than its children.
+Json describe_hierarchy(const Segmentation& segmentation)
+{
+  std::vector<Json> nodes;
+  for (std::size_t s = 0; s < segmentation.number_of_segments; ++s)
+    nodes.push_back({{"segment", s}, {"children", Json::array()}});
+  const std::vector<Protrusion>& protrusions = segmentation.record.protrusions();
+  for (auto protrusion = protrusions.rbegin(); protrusion != protrusions.rend(); ++protrusion)
+  {
+    Json& siblings = nodes.at(protrusion->parent)["children"];
+    siblings.insert(siblings.begin(), std::move(nodes.at(protrusion->segment)));
+  }
+  nodes.resize(nodes.size() - protrusions.size());
+  return nodes;
+}
+
 } // namespace
 
-void write_json(std::ostream& out,
-                const std::string& input,
-                const Segmentation_options& options,
-                const Segmentation& segmentation,
-                const std::string& note)
+Json describe(const std::string& input,
+              const Segmentation_options& options,
+              const Segmentation& segmentation,
+              const std::string& note)
 {
   const Recorder& record = segmentation.record;
-  const Json json = {{"input", input},
+  return Json{{"input", input},
                      {"faces", segmentation.segment_ids.size()},
                      {"segments_requested", or_null(options.number_of_segments.has_value(),
                                                     options.number_of_segments.value_or(0))},
@@ -69,9 +83,14 @@ void write_json(std::ostream& out,
                      {"dijkstra_runs", record.number_of_runs()},
                      {"tips_eliminated", record.number_of_eliminated_tips()},
                      {"stages", describe_all(record.stages())},
-                     {"protrusions", describe_all(record.protrusions())}};
+                     {"protrusions", describe_all(record.protrusions())},
+                     {"hierarchy", describe_hierarchy(segmentation)}};
+}
+
+void write_json(std::ostream& out, const Json& record)
+{
   // A name that is no UTF-8 must not keep the rest from being written.
-  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  out << record.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 
 } // namespace tool

@@ -5,6 +5,8 @@
 
 #include "segment.h"
 
+#include <nlohmann/json.hpp>
+
 #include <ostream>
 #include <string>
 
@@ -13,11 +15,12 @@ namespace tool
 
 // What segment_by_protrusions found, for other programs. `note` is empty or says why there are not
 // as many segments as were asked for.
-void write_json(std::ostream& out,
-                const std::string& input,
-                const Segmentation_options& options,
-                const Segmentation& segmentation,
-                const std::string& note);
+nlohmann::ordered_json describe(const std::string& input,
+                                const Segmentation_options& options,
+                                const Segmentation& segmentation,
+                                const std::string& note);
+
+void write_json(std::ostream& out, const nlohmann::ordered_json& record);
 
 } // namespace tool
 

@@ -2,7 +2,9 @@
 
 #include "outputs.h"
 
+#include "glb.h"
 #include "palette.h"
+#include "vtp.h"
 
 #include <CGAL/IO/SEG.h>
 #include <CGAL/Surface_mesh/IO/OFF.h>
@@ -55,6 +57,18 @@ bool write_off(std::ostream& out, const Segmented_mesh& segmented)
   return CGAL::IO::write_OFF(out, segmented.mesh);
 }
 
+bool write_glb(std::ostream& out, const Segmented_mesh& segmented)
+{
+  write_GLB(out, segmented.mesh, segmented.segments);
+  return true;
+}
+
+bool write_vtp(std::ostream& out, const Segmented_mesh& segmented)
+{
+  write_VTP(out, segmented.mesh, segmented.segments);
+  return true;
+}
+
 struct Format
 {
   std::string extension;
@@ -69,7 +83,9 @@ const std::vector<Format>& formats()
       {".seg", "one segment id a line, as in the Princeton Segmentation Benchmark", write_seg,
        false},
       {".ply", "mesh with face colours and a face property 'segment', binary", write_ply, true},
-      {".off", "mesh with face colours", write_off, true}};
+      {".off", "mesh with face colours", write_off, true},
+      {".glb", "glTF 2.0, binary: a coloured mesh of its own for each segment", write_glb, true},
+      {".vtp", "VTK polygonal data, text, with cell data 'segment' and 'color'", write_vtp, true}};
   return table;
 }
 

@@ -25,6 +25,13 @@ inline unsigned char encode_sRGB(double linear)
   return static_cast<unsigned char>(std::lround(255 * encoded));
 }
 
+// The linear part of a byte of a colour in sRGB.
+inline double decode_sRGB(unsigned char byte)
+{
+  const double c = byte / 255.;
+  return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
 // The colour space OKLCh (B. Ottosson, 2020): equal steps look equally far apart. `hue` is in
 // radians.
 inline CGAL::IO::Color color_of_OKLCh(double lightness, double chroma, double hue)
