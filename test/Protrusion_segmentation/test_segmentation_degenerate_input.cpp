@@ -2,9 +2,11 @@
 //
 // Whatever a mesh holds, the result is a valid segmentation or an exception that says why.
 
+#include "awkward_meshes.h"
 #include "segmentations.h"
-#include "test_meshes.h"
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -13,17 +15,16 @@ using namespace CGAL::Protrusion_segmentation;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-// Valid for numbers of segments from one to all faces and without a number, with the distances and
-// border methods of the package.
+// Valid for numbers of segments from one to all faces and without a number, and from tips.
 template <typename Distance, typename Border>
-void check_valid(const Mesh& mesh, const Distance& distance, const Border& border)
+void check_method(const Mesh& mesh, const Distance& distance, const Border& border)
 {
   const std::size_t n = mesh.number_of_faces();
   std::set<std::size_t> numbers = {1, 2, 5, 20};
   if(n <= 100)
     numbers.insert(n);
   for(const std::size_t k : numbers)
-    if(k >= 1 && k <= n)
+    if(k > 0 && k <= n)
     {
       const Segmentation found = checked(mesh, [&](auto ids)
       {
@@ -36,36 +37,36 @@ void check_valid(const Mesh& mesh, const Distance& distance, const Border& borde
     return CGAL::segmentation_via_protrusion_tips(mesh, ids, distance, border);
   });
   CHECK_EQUAL(found.number > 0, n > 0);
+
+  std::vector<Mesh::Face_index> tips;
+  CGAL::protrusion_tips(mesh, std::min<std::size_t>(4, n), std::back_inserter(tips), distance);
+  const Segmentation from_tips = checked(mesh, [&](auto ids)
+  {
+    return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, distance, border);
+  });
+  CHECK_EQUAL(from_tips.number > 0, n > 0);
 }
 
 void check_valid(const Mesh& mesh)
 {
-  check_valid(mesh, Geodesic_distance(), Histogram_border());
-  check_valid(mesh, Landmark_geodesic_distance(), Histogram_border());
-  check_valid(mesh, Geodesic_distance(), Histogram_border().uses_candidate_intervals(false)
-                                                           .minimum_prominence(1e-6));
-  std::vector<Mesh::Face_index> tips;
-  CGAL::protrusion_tips(mesh, std::min<std::size_t>(4, mesh.number_of_faces()),
-                        std::back_inserter(tips), Geodesic_distance());
-  CHECK_EQUAL(checked(mesh, [&](auto ids)
+  check_method(mesh, Geodesic_distance(), Minimum_cut_border());
+  check_method(mesh, Landmark_geodesic_distance(), Minimum_cut_border());
+  check_method(mesh, Geodesic_distance(), Histogram_border());
+  check_method(mesh, Landmark_geodesic_distance(), Histogram_border());
+  check_method(mesh, Geodesic_distance(), Histogram_border().uses_candidate_intervals(false)
+                                                            .minimum_prominence(1e-6));
+  check_method(mesh, Diffusion_distance(), Histogram_border());
+}
+
+void awkward_meshes_have_valid_segmentations()
+{
+  for(const Awkward_mesh& awkward : awkward_meshes())
   {
-    return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, Geodesic_distance(),
-                                                   Histogram_border());
-  }).number > 0, mesh.number_of_faces() > 0);
-}
-
-void check_valid(const Test_mesh& mesh)
-{
-  check_valid(to_graph<Mesh>(mesh));
-}
-
-void meshes_of_few_faces()
-{
-  check_valid(single_triangle());
-  check_valid(thin_strip(1));
-  check_valid(sheet(1, 1));
-  check_valid(tetrahedron());
-  check_valid(box());
+    const std::size_t failures = check::counters().failures;
+    check_valid(to_graph<Mesh>(awkward.mesh));
+    if(check::counters().failures > failures)
+      std::cerr << "that was: " << awkward.name << std::endl;
+  }
 }
 
 // Without faces there is nothing to segment, whatever vertices there are.
@@ -76,73 +77,8 @@ void a_mesh_without_faces_has_no_segments()
   vertices.add_vertex({1, 2, 3});
   check_valid(vertices);
   Segment_ids<Mesh> ids(vertices);
-  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(vertices, ids.map(), 1,
-                                                           Geodesic_distance(), Histogram_border()),
+  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(vertices, ids.map(), 1),
                     std::invalid_argument, "only 0 faces");
-}
-
-void bodies_without_protrusions()
-{
-  for(const Test_mesh& mesh : {icosphere(2), sheet(15, 15), torus(2, 0.5, 24, 10),
-                               open_cylinder(1, 1), uv_sphere(1, 0.3), regular_prism(40)})
-    check_valid(mesh);
-}
-
-void polygons_holes_and_handles()
-{
-  check_valid(football());
-  check_valid(dodecahedron());
-  check_valid(l_prism());
-  check_valid(pierced_plate(3, 2));
-  check_valid(height_field(12, 9, 1));
-  check_valid(with_reversed_orientation(bumpy_sphere(2, 1)));
-  check_valid(merged({icosphere(1), translated(sheet(3, 2), {3, 0, 0}),
-                      translated(single_triangle(), {0, 5, 0})}));
-}
-
-void needles_and_slivers()
-{
-  check_valid(thin_strip(200, 1e-9));
-  check_valid(thin_strip(200, 1e-200));
-  check_valid(scaled(bumpy_sphere(2, 2), 1e-12, 1, 1e6));
-  check_valid(scaled(icosphere(2), 1e-300, 1e-300, 1));
-}
-
-// Flattened to a plane, a line and a point: faces without area, edges without length.
-void collapsed_bodies()
-{
-  for(const Test_mesh& mesh : {bumpy_sphere(2, 5), torus(2, 0.5, 20, 8)})
-  {
-    check_valid(scaled(mesh, 1, 1, 0));
-    check_valid(scaled(mesh, 1, 0, 0));
-    check_valid(scaled(mesh, 0));
-  }
-}
-
-void repeated_points()
-{
-  Test_mesh mesh = bumpy_sphere(2, 6);
-  Random random(1);
-  for(int i = 0; i < 80; ++i)
-  {
-    const std::size_t from = random.index(mesh.points.size());
-    mesh.points[random.index(mesh.points.size())] = mesh.points[from];
-  }
-  check_valid(mesh);
-}
-
-void points_at_random()
-{
-  for(std::uint_fast32_t seed = 0; seed < 5; ++seed)
-    check_valid(jittered(random_surface(seed), 10, seed));
-}
-
-void tiny_and_huge_coordinates()
-{
-  for(const double factor : {1e-300, 1e-100, 1e100, 1e300})
-    check_valid(scaled(bumpy_sphere(2, 7), factor));
-  check_valid(translated(bumpy_sphere(2, 7), {1e12, 0, 0}));
-  check_valid(translated(bumpy_sphere(2, 7), {1e300, 0, 0})); // all digits lost: one point
 }
 
 void isolated_vertices_and_removed_faces()
@@ -158,23 +94,80 @@ void isolated_vertices_and_removed_faces()
   check_valid(mesh);
 }
 
+// Where nothing sticks out, there is one segment if no number asks for more.
+void bodies_without_protrusions_are_one_segment()
+{
+  const std::set<std::string> smooth = {"sphere", "flat sheet", "coarse sphere"};
+  for(const Awkward_mesh& body : bodies_without_protrusions())
+    if(smooth.count(body.name) > 0)
+    {
+      const Mesh mesh = to_graph<Mesh>(body.mesh);
+      const Segmentation found = checked(mesh, [&](auto ids)
+      {
+        return CGAL::segmentation_via_protrusion_tips(mesh, ids);
+      });
+      CHECK_EQUAL(body.name + ": " + std::to_string(found.number), body.name + ": 1");
+    }
+}
+
+// The segments do not depend on whether the normals point outward.
+void orientation_does_not_matter()
+{
+  const Test_mesh soup = star(4, 1, 0.15, 0.04, 0.2);
+  for(const bool reversed : {false, true})
+  {
+    const Mesh mesh = to_graph<Mesh>(reversed ? with_reversed_orientation(soup) : soup);
+    const Segmentation found = checked(mesh, [&](auto ids)
+    {
+      return CGAL::segmentation_via_protrusion_tips(mesh, ids, 5);
+    });
+    CHECK_EQUAL(found.number, 5);
+    CHECK(share_in_true_parts(soup, found.labels) > 0.95);
+    CHECK(share_in_true_parts(soup, paper_segmentation(mesh, 5).labels) > 0.9);
+  }
+}
+
+template <typename Number>
+void check_not_finite(const Number& bad)
+{
+  using Kernel = CGAL::Simple_cartesian<Number>;
+  using Bad_mesh = CGAL::Surface_mesh<typename Kernel::Point_3>;
+  Bad_mesh mesh = to_graph<Bad_mesh>(icosphere(2));
+  mesh.point(typename Bad_mesh::Vertex_index(20)) = {1, bad, 0};
+  Segment_ids<Bad_mesh> ids(mesh);
+  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3), std::invalid_argument,
+                    "vertex 20 has a coordinate that is not finite");
+  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3, Geodesic_distance(),
+                                                           Histogram_border()),
+                    std::invalid_argument, "not finite");
+  CHECK(is_untouched({0, ids.labels()}));
+  std::vector<typename Bad_mesh::Face_index> tips;
+  CHECK_THROWS_WITH(CGAL::protrusion_tips(mesh, 3, std::back_inserter(tips), Geodesic_distance()),
+                    std::invalid_argument, "not finite");
+  CHECK(tips.empty());
+}
+
+// A number of an exact kernel may be finite and yet no double.
 void coordinates_that_are_not_finite_are_refused()
 {
   for(const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
   {
-    Test_mesh soup = icosphere(2);
-    soup.points[20][1] = bad;
-    const Mesh mesh = to_graph<Mesh>(soup);
-    Segment_ids<Mesh> ids(mesh);
-    CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3, Geodesic_distance(),
-                                                             Histogram_border()),
-                      std::invalid_argument, "vertex 20 has a coordinate that is not finite");
-    CHECK(is_untouched({0, ids.labels()}));
-    std::vector<Mesh::Face_index> tips;
-    CHECK_THROWS_WITH(CGAL::protrusion_tips(mesh, 3, std::back_inserter(tips), Geodesic_distance()),
-                      std::invalid_argument, "not finite");
-    CHECK(tips.empty());
+    check_not_finite(bad);
+    check_not_finite(float(bad));
   }
+  CGAL::Exact_predicates_exact_constructions_kernel::FT beyond_double = 1e300;
+  check_not_finite(CGAL::exact(beyond_double * beyond_double));
+}
+
+void the_number_of_segments_must_be_possible()
+{
+  const Mesh mesh = to_graph<Mesh>(tetrahedron());
+  Segment_ids<Mesh> ids(mesh);
+  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 0), std::invalid_argument,
+                    "number_of_segments is 0");
+  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 5), std::invalid_argument,
+                    "number_of_segments is 5, but tmesh has only 4 faces");
+  CHECK(is_untouched({0, ids.labels()}));
 }
 
 // As many segments as faces are asked for.
@@ -185,19 +178,40 @@ void more_segments_than_can_be_found_come_to_an_end()
   CHECK(found.number >= 1 && found.number <= mesh.number_of_faces());
 }
 
+// Components have the first ids; the others go where the best protrusions are: all eight arms of two equal
+// bodies, none of a small ball.
+void components_share_the_segments()
+{
+  const Test_mesh body = star(4, 1, 0.15, 0.04, 0.2);
+  const Mesh mesh = to_graph<Mesh>(merged({translated(body, {9, 0, 0}), icosphere(1), body}));
+  for(std::size_t k : {1, 2, 3, 11})
+  {
+    const Segmentation found = checked(mesh, [&](auto ids)
+    {
+      return CGAL::segmentation_via_protrusion_tips(mesh, ids, k);
+    });
+    CHECK_EQUAL(found.number, std::max<std::size_t>(k, 3));
+    std::vector<std::set<std::size_t>> segments(3);
+    for(std::size_t f = 0; f < found.labels.size(); ++f)
+      segments[f < body.faces.size() ? 0 : f < body.faces.size() + 80 ? 1 : 2].insert(found.labels[f]);
+    for(std::size_t component = 0; component < 3; ++component)
+    {
+      CHECK_EQUAL(segments[component].count(component), 1);
+      CHECK_EQUAL(segments[component].size(), component == 1 || k <= 3 ? 1 : 5);
+    }
+  }
+}
+
 int main()
 {
-  meshes_of_few_faces();
+  awkward_meshes_have_valid_segmentations();
   a_mesh_without_faces_has_no_segments();
-  bodies_without_protrusions();
-  polygons_holes_and_handles();
-  needles_and_slivers();
-  collapsed_bodies();
-  repeated_points();
-  points_at_random();
-  tiny_and_huge_coordinates();
   isolated_vertices_and_removed_faces();
+  bodies_without_protrusions_are_one_segment();
+  orientation_does_not_matter();
   coordinates_that_are_not_finite_are_refused();
+  the_number_of_segments_must_be_possible();
   more_segments_than_can_be_found_come_to_an_end();
+  components_share_the_segments();
   return check::result();
 }

@@ -126,19 +126,53 @@ void a_visitor_stops_the_method_at_every_question()
   }
 }
 
-struct Failing_visitor : Default_visitor
+// Throws in the function of the given number, and then at the end of every stage that is left for it.
+struct Failing_visitor
 {
-  void tip_found(std::size_t) { throw std::runtime_error("no more tips"); }
+  enum Function { STARTS, ENDS, PROGRESS, GO_FURTHER, TIP, PROTRUSION, DISTANCES, NUMBER_OF_FUNCTIONS };
+
+  void fail(int function)
+  {
+    if(function == failing)
+      throw std::runtime_error("the visitor's own");
+  }
+
+  void stage_starts(Stage) { fail(STARTS); }
+  void stage_ends(Stage)
+  {
+    fail(ENDS);
+    if(std::uncaught_exceptions() > 0)
+      throw std::runtime_error("a second one");
+  }
+  void progress(double) { fail(PROGRESS); }
+  bool go_further()
+  {
+    fail(GO_FURTHER);
+    return true;
+  }
+  void tip_found(std::size_t) { fail(TIP); }
+  void tip_eliminated(std::size_t) {}
+  void protrusion_found(const Protrusion&) { fail(PROTRUSION); }
+  void distances_computed(std::size_t) { fail(DISTANCES); }
+
+  int failing;
 };
 
-void exceptions_of_a_visitor_get_through()
+template <typename Border>
+void exceptions_of_a_visitor_get_through(const Border& border)
 {
-  Segment_ids<Mesh> ids(star_mesh());
-  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(
-                      star_mesh(), ids.map(), 5, Geodesic_distance(), Histogram_border(),
-                      parameters::visitor(Failing_visitor())),
-                    std::runtime_error, "no more tips");
-  CHECK(is_untouched({0, ids.labels()}));
+  for(int function = 0; function < Failing_visitor::NUMBER_OF_FUNCTIONS; ++function)
+  {
+    Segment_ids<Mesh> ids(star_mesh());
+    std::map<Mesh::Edge_index, bool> is_border;
+    CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(
+                        star_mesh(), ids.map(), 5, Geodesic_distance(), border,
+                        parameters::visitor(Failing_visitor{function})
+                          .edge_is_constrained_map(boost::make_assoc_property_map(is_border))),
+                      std::runtime_error, "the visitor's own");
+    CHECK(is_untouched({0, ids.labels()}));
+    CHECK(is_border.empty());
+  }
 }
 
 int main()
@@ -146,6 +180,7 @@ int main()
   a_visitor_is_told_what_is_found();
   visitors_are_copied_unless_passed_by_reference();
   a_visitor_stops_the_method_at_every_question();
-  exceptions_of_a_visitor_get_through();
+  exceptions_of_a_visitor_get_through(Histogram_border());
+  exceptions_of_a_visitor_get_through(Minimum_cut_border());
   return check::result();
 }

@@ -85,6 +85,7 @@ public:
         Segment segment(*this, s);
         record_given_tips(segment, tips_of_segment[s]);
         cut_off_all(segment, find_borders(s, tips.size()));
+        m_monitor.visitor().distances_computed(segment.distances.number_of_runs());
       }
     return std::move(m_forest);
   }
@@ -103,15 +104,10 @@ private:
     Segment(Histogram_segmentation& segmentation, Index id_)
       : id(id_),
         extracted(segmentation.m_extract(segmentation.m_forest.faces_of(id_))),
-        distances(segmentation.m_distance.on(extracted.part, segmentation.m_monitor.random_seed())),
-        m_visitor(segmentation.m_monitor.visitor())
+        distances(segmentation.m_distance.on(extracted.part, segmentation.m_monitor.random_seed()))
     {}
-    ~Segment() { m_visitor.distances_computed(distances.number_of_runs()); }
     Segment(const Segment&) = delete;
     Segment& operator=(const Segment&) = delete;
-
-  private:
-    Visitor& m_visitor;
   };
 
   void split_all(std::size_t k)
@@ -156,12 +152,15 @@ private:
       select_tips(*segment, wanted);
     }
     const std::vector<Tip_border> borders = find_borders(id, wanted);
-    if (borders.empty())
-      return false;
-    if (!segment)
-      segment.emplace(*this, id);
-    cut_off_all(*segment, borders);
-    return true;
+    if (!borders.empty())
+    {
+      if (!segment)
+        segment.emplace(*this, id);
+      cut_off_all(*segment, borders);
+    }
+    if (segment)
+      m_monitor.visitor().distances_computed(segment->distances.number_of_runs());
+    return !borders.empty();
   }
 
   void select_tips(Segment& segment, std::size_t wanted)

@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Default_visitor.h>
 
 #include <cstddef>
+#include <exception>
 #include <limits>
 
 namespace CGAL {
@@ -52,22 +53,36 @@ private:
   double m_unit;
 };
 
-// Tells the visitor of the begin and, however the scope is left, of the end of a stage.
+// Tells the visitor of the begin and, however the scope is left, of the end of a stage. An exception of the
+// visitor gets through, unless the scope is left because of another one.
 template <typename Visitor>
 class Stage_scope
 {
 public:
-  Stage_scope(Visitor& visitor, Stage stage) : m_visitor(visitor), m_stage(stage)
+  Stage_scope(Visitor& visitor, Stage stage)
+    : m_visitor(visitor), m_stage(stage), m_number_of_exceptions(std::uncaught_exceptions())
   {
     m_visitor.stage_starts(stage);
   }
-  ~Stage_scope() { m_visitor.stage_ends(m_stage); }
+  ~Stage_scope() noexcept(false)
+  {
+    try
+    {
+      m_visitor.stage_ends(m_stage);
+    }
+    catch (...)
+    {
+      if (std::uncaught_exceptions() == m_number_of_exceptions)
+        throw;
+    }
+  }
   Stage_scope(const Stage_scope&) = delete;
   Stage_scope& operator=(const Stage_scope&) = delete;
 
 private:
   Visitor& m_visitor;
   Stage m_stage;
+  int m_number_of_exceptions;
 };
 
 } // namespace internal

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,7 +34,8 @@ struct Surface_of_mesh
 
 // Moves the box of the points to the origin and scales it by a power of two to [-1, 1]^3; returns the
 // factor back. A power of two changes no digit, so that a mesh scaled by two gives the same numbers.
-// The first scaling keeps the subtraction of coordinates near the largest double from overflowing.
+// The first scaling keeps the subtraction of coordinates near the largest double from overflowing. Only there
+// the result fills [-2, 2]^3: the factor 2^1024 would be no double.
 inline double normalize(std::vector<std::array<double, 3>>& points)
 {
   int exponent = 0;
@@ -45,6 +47,7 @@ inline double normalize(std::vector<std::array<double, 3>>& points)
         largest = (std::max)(largest, std::abs(x));
     int e = 0;
     std::frexp(largest, &e);
+    e = (std::min)(e, std::numeric_limits<double>::max_exponent - 1 - exponent);
     for (std::array<double, 3>& p : points)
       for (double& x : p)
         x = std::ldexp(x, -e);
