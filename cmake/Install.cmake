@@ -13,3 +13,8 @@ install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/Protrusion_segmentationConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/Protrusion_segmentationConfigVersion.cmake
   DESTINATION ${config_folder})
+
+# Where Debian's policy wants them.
+set(documentation_folder ${CMAKE_INSTALL_DATAROOTDIR}/doc/protrusion-segmentation)
+install(FILES README.md CHANGES.md DESTINATION ${documentation_folder})
+install(FILES LICENSE DESTINATION ${documentation_folder} RENAME copyright)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Brings the figures of the user manual up to date, none of which is typed.
+"""Brings the figures of the user manual and of the README up to date, none of which is typed.
 
 Measurements: a section of the benchmarks' output files is copied between the lines
 
@@ -20,7 +20,10 @@ prints for a shape of make_example_mesh replaces what is between the lines
     <!-- begin output of EXAMPLE for SHAPE -->
     <!-- end -->
 
-With --check nothing is written, and the exit code is 1 if the manual is out of date.
+Results in the README: table rows whose first cell ends with "<!-- METHOD -->" get that method's means
+from the benchmark's output.
+
+With --check nothing is written, and the exit code is 1 if one of the two is out of date.
 """
 
 import argparse
@@ -32,6 +35,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MANUAL = ROOT / "doc/Protrusion_segmentation/Protrusion_segmentation.txt"
+README = ROOT / "README.md"
 EXAMPLES = ROOT / "examples/Protrusion_segmentation"
 BENCHMARKS = ROOT / "benchmark/Protrusion_segmentation"
 HEADERS = ROOT / "include/CGAL/Protrusion_segmentation"
@@ -39,6 +43,8 @@ HEADERS = ROOT / "include/CGAL/Protrusion_segmentation"
 OUTPUT = re.compile(r"(<!-- begin output of (\w+) for (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
 LONGEST_OUTPUT = 16  # lines
 BLOCK = re.compile(r"(<!-- begin ([^: \n]+?)(?:: ([^\n]+?))? -->\n).*?(<!-- end -->)", re.DOTALL)
+RESULT = re.compile(r"^(\| [^|]*<!-- ([\w-]+) --> )\|.*$", re.MULTILINE)
+README_COLUMNS = ("RI", "HD", "CD")
 ROW = re.compile(r"^\| `([\w/]+\.h)`, `(\w+)` \| ([^|]+) \|", re.MULTILINE)
 
 
@@ -98,6 +104,28 @@ def output(programs, example, shape):
     return "\n\\verbatim\n" + "\n".join(lines) + "\n\\endverbatim\n\n"
 
 
+def means():
+    """For each method its row of the table 'Means', by the names of the columns."""
+    rows = {}
+    for file in sorted(BENCHMARKS.glob("Quality/results*.md")):
+        table = [[cell.strip() for cell in line.strip("|").split("|")]
+                 for line in (section(file.read_text(encoding="utf-8"), "Means") or "").splitlines()
+                 if line.startswith("| ")]
+        rows.update({row[0]: dict(zip(table[0], row)) for row in table[1:]})
+    return rows
+
+
+def updated_readme(text):
+    rows = means()
+    def result(match):
+        if match[2] not in rows:
+            errors.append(f"{README.name}: there are no results of {match[2]}")
+            return match[0]
+        values = [f"{float(rows[match[2]][column]):.3f}".lstrip("0") for column in README_COLUMNS]
+        return match[1] + "| " + " | ".join(values) + " |"
+    return RESULT.sub(result, text)
+
+
 def updated(text, programs):
     if programs:
         text = OUTPUT.sub(lambda m: m[1] + output(programs, m[2], m[3]) + m[4], text)
@@ -110,12 +138,14 @@ def main():
     parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
     parser.add_argument("--programs", type=pathlib.Path, help="folder of the built examples")
     arguments = parser.parse_args()
-    old = MANUAL.read_text(encoding="utf-8")
-    new = updated(old, arguments.programs and arguments.programs.resolve())
-    if arguments.check and new != old:
-        sys.exit(f"{MANUAL.relative_to(ROOT)} is out of date: run doc/update_tables.py")
-    if new != old:
-        MANUAL.write_text(new, encoding="utf-8")
+    programs = arguments.programs and arguments.programs.resolve()
+    for file, update in ((MANUAL, lambda text: updated(text, programs)), (README, updated_readme)):
+        old = file.read_text(encoding="utf-8")
+        new = update(old)
+        if arguments.check and new != old:
+            errors.append(f"{file.relative_to(ROOT)} is out of date: run doc/update_tables.py")
+        elif new != old:
+            file.write_text(new, encoding="utf-8")
     sys.exit("\n".join(errors) or 0)
 
 

@@ -19,4 +19,4 @@ string(FIND "${cache}" "Protrusion_segmentation_DIR:PATH=${WORK_FOLDER}/installe
 if(position EQUAL -1)
   message(FATAL_ERROR "Another installation of the package was found")
 endif()
-run(${WORK_FOLDER}/build/installed_package)
+run(${WORK_FOLDER}/build/my_program)

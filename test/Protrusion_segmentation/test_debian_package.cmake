@@ -1,0 +1,40 @@
+# Makes the Debian package, unpacks it, looks at what is in it, and runs a tool from it. The definitions
+# BUILD_FOLDER, WORK_FOLDER and CPACK come from the command line.
+
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+file(REMOVE_RECURSE ${WORK_FOLDER})
+file(MAKE_DIRECTORY ${WORK_FOLDER})
+run(${CPACK} --config ${BUILD_FOLDER}/CPackConfig.cmake -B ${WORK_FOLDER})
+file(GLOB packages ${WORK_FOLDER}/*.deb)
+list(LENGTH packages number)
+if(NOT number EQUAL 1)
+  message(FATAL_ERROR "There are ${number} packages instead of one")
+endif()
+
+run(dpkg-deb --extract ${packages} ${WORK_FOLDER}/root)
+foreach(file
+        bin/segment_by_protrusions bin/evaluate_segmentation
+        include/CGAL/protrusion_segmentation.h include/CGAL/segmentation_metrics.h include/CGAL/IO/SEG.h
+        include/CGAL/Protrusion_segmentation/Minimum_cut_border.h
+        include/CGAL/Protrusion_segmentation/internal/segment_mesh.h
+        share/doc/protrusion-segmentation/copyright)
+  if(NOT EXISTS ${WORK_FOLDER}/root/usr/${file})
+    message(FATAL_ERROR "The package has no /usr/${file}")
+  endif()
+endforeach()
+file(GLOB_RECURSE config ${WORK_FOLDER}/root/usr/lib*/Protrusion_segmentationConfig.cmake)
+if(NOT config)
+  message(FATAL_ERROR "find_package() will not find the package")
+endif()
+
+execute_process(COMMAND dpkg-deb --field ${packages} Depends OUTPUT_VARIABLE depends)
+foreach(library libcgal-dev libc6 libgmp10 libstdc++6)
+  string(FIND "${depends}" ${library} position)
+  if(position EQUAL -1)
+    message(FATAL_ERROR "The package does not depend on ${library}, but on ${depends}")
+  endif()
+endforeach()
+run(${WORK_FOLDER}/root/usr/bin/segment_by_protrusions --help)
