@@ -121,6 +121,14 @@ void add_options(CLI::App& app, Command_line& command_line)
   app.add_option("--landmarks", options.landmarks, "share or number of faces that are landmarks")
       ->type_name("N%|N")
       ->capture_default_str();
+  app.add_option("--eigenpairs", options.eigenpairs, "number of terms of the diffusion distance")
+      ->check(CLI::Validator(CLI::PositiveNumber).description(""))
+      ->type_name("N")
+      ->capture_default_str();
+  app.add_option("--time", options.time,
+                 "of the diffusion distance, from 0; at 1 the slowest term has decayed to 1/e")
+      ->type_name("T")
+      ->capture_default_str();
   app.add_option("--seed", options.seed, "of all that is random")
       ->type_name("N")
       ->capture_default_str();
@@ -135,6 +143,11 @@ void add_options(CLI::App& app, Command_line& command_line)
   app.add_option("--json", command_line.json,
                  "write what was found as JSON, - is the standard output")
       ->type_name("FILE");
+  app.add_option("--report", command_line.report,
+                 "write a page for the browser: the mesh in 3D, to turn and to click on, and what is\n"
+                 "known of each segment" +
+                     (tool::can_write_report() ? "" : std::string("; not here: ") + no_report))
+      ->type_name("FILE");
   app.add_flag("--quiet", command_line.is_quiet, "print errors only");
   app.callback([&]() { check(app, command_line); });
 }
@@ -143,11 +156,6 @@ void check_outputs_can_be_written(const Command_line& command_line)
 {
   for (const std::string& name : command_line.outputs)
     if (!tool::is_pattern(name))
-  app.add_option("--report", command_line.report,
-                 "write a page for the browser: the mesh in 3D, to turn and to click on, and what is\n"
-                 "known of each segment" +
-                     (tool::can_write_report() ? "" : std::string("; not here: ") + no_report))
-      ->type_name("FILE");
       tool::Output_files::check(name);
   for (const std::string& name : {command_line.json, command_line.report})
     if (!name.empty())
@@ -211,6 +219,8 @@ void run(const Command_line& command_line)
   tool::Output_files files;
   for (const std::string& name : command_line.outputs)
     tool::add_output(name, mesh, segmentation, files);
+  const auto record =
+      tool::describe(command_line.input, command_line.options, segmentation, note);
   if (!command_line.json.empty())
     files.add(command_line.json, [&](std::ostream& out) { tool::write_json(out, record); });
   if (!command_line.report.empty())
@@ -220,8 +230,6 @@ void run(const Command_line& command_line)
   files.publish();
   if (!command_line.is_quiet)
     print_summary(command_line, segmentation, note);
-  const auto record =
-      tool::describe(command_line.input, command_line.options, segmentation, note);
   tool::finish_standard_output();
 }
 

@@ -82,8 +82,14 @@ test_usage()
   for arguments in "-k 0" "-k -3" "-k 2.5" "-k many" "--method other" "--distance other" "--seed -1" \
                    "--distance landmark --landmarks 0" "--distance landmark --landmarks 0%" \
                    "--distance landmark --landmarks 101%" "--distance landmark --landmarks 5%%" \
-                   "--distance landmark --landmarks -5" "--landmarks 5%" "-o out.xyz" "-o out" "-o %d.seg" \
-                   "-o %d/%d.ply" "-o out.seg -o out.seg" "-o out.seg --json out.seg" "-o $mesh" "-o"; do
+                   "--distance landmark --landmarks -5" "--landmarks 5%" \
+                   "--distance diffusion --eigenpairs 0" "--distance diffusion --eigenpairs -1" \
+                   "--distance diffusion --eigenpairs 2.5" "--distance diffusion --time -1" \
+                   "--distance diffusion --time nan" "--distance diffusion --time inf" \
+                   "--distance diffusion --time soon" "--distance diffusion --landmarks 5%" \
+                   "--eigenpairs 5" "--time 1" "--distance heat --time 1" "--distance exact --eigenpairs 5" \
+                   "-o out.xyz" "-o out" "-o %d.seg" \
+                   "-o %d/%d.ply" "-o out.seg -o out.seg" "-o out.seg --json out.seg" "--json out.html --report out.html" "-o $mesh" "-o"; do
     # shellcheck disable=SC2086
     expect 2 "$segment" "$mesh" $arguments
   done
@@ -107,12 +113,6 @@ test_outputs()
   expect_text outputs/a.ply "element face $faces"
   expect_text outputs/a.ply "property uchar red"
   expect_text outputs/a.ply "property uint segment"
-  local key
-  for key in "\"faces\": $faces," '"segments_requested": 4,' '"segments": 4,' '"dijkstra_runs": ' \
-             '"seconds": ' '"input": ' '"method": "paper"' '"distance": "geodesic"' '"seed": 0' \
-             '"protrusions": [' '"stages": [' '"note": null' '"border_slot": ' '"distance_histogram": [' \
-             '"sectional_diameter_histogram": [' '"hierarchy": [' '"children": ['; do
-    expect_text outputs/a.json "$key"
   expect_text outputs/a.vtp "NumberOfPolys=\"$faces\""
   [ "$(sed -n '/Name="segment"/,/DataArray>/p' outputs/a.vtp | grep -v DataArray)" = "$(cat outputs/a.seg)" ] ||
     fail "a.vtp has other segments than a.seg"
@@ -122,6 +122,12 @@ test_outputs()
   for id in 0 1 2 3; do
     expect_text outputs/a.glb "segment $id"
   done
+  local key
+  for key in "\"faces\": $faces," '"segments_requested": 4,' '"segments": 4,' '"dijkstra_runs": ' \
+             '"seconds": ' '"input": ' '"method": "paper"' '"distance": "geodesic"' '"seed": 0' \
+             '"protrusions": [' '"stages": [' '"note": null' '"border_slot": ' '"distance_histogram": [' \
+             '"sectional_diameter_histogram": [' '"hierarchy": [' '"children": ['; do
+    expect_text outputs/a.json "$key"
   done
 
   # What was written can be read, and says the same.
@@ -134,12 +140,6 @@ test_outputs()
   done
 }
 
-test_determinism()
-{
-  local in=outputs/teddy.off options
-  for options in "" "--method paper" "--distance landmark" "--distance landmark --landmarks 20 --seed 7"; do
-    for i in 1 2; do
-      # shellcheck disable=SC2086
 # Where three.js was not found at build time, that is said, and nothing is written.
 test_report()
 {
@@ -164,6 +164,12 @@ test_report()
   rm -r outputs/a.html "outputs/<"
 }
 
+test_determinism()
+{
+  local in=outputs/teddy.off options
+  for options in "" "--method paper" "--distance landmark" "--distance landmark --landmarks 20 --seed 7" "--distance diffusion" "--distance heat"; do
+    for i in 1 2; do
+      # shellcheck disable=SC2086
       expect 0 "$segment" $in -k 6 $options -o outputs/same$i.seg -o outputs/same$i.ply -o outputs/same$i.glb
     done
     for extension in seg ply glb; do
@@ -173,6 +179,27 @@ test_report()
   expect 0 "$segment" $in --json -
   expect_text stdout '"segments_requested": null'
   [ "$(head -c 1 stdout)" = "{" ] || fail "$command: there is more than JSON on the standard output"
+}
+
+# The name of the distance and of its own options, those of others are null.
+test_distances()
+{
+  local in=outputs/small.off distance
+  expect 0 "$make_mesh" octopus $in --faces 1000
+  for distance in geodesic landmark diffusion heat exact; do
+    expect 0 "$segment" $in -k 3 --distance $distance --json -
+    expect_text stdout "\"distance\": \"$distance\""
+    expect_text stdout '"segments": 3,'
+    [ $distance = landmark ] || expect_text stdout '"landmarks": null'
+    [ $distance = diffusion ] || expect_text stdout '"eigenpairs": null'
+    [ $distance = diffusion ] || expect_text stdout '"time": null'
+  done
+  expect 0 "$segment" $in -k 3 --distance diffusion --eigenpairs 5 --time 0 --json -
+  expect_text stdout '"eigenpairs": 5,'
+  expect_text stdout '"time": 0.0,'
+  expect 0 "$segment" "$data/tetrahedron.off" --distance diffusion --eigenpairs 1000000
+  expect 2 "$segment" $in --distance heat --time 1
+  expect_one_line "--time has no meaning with heat, only with diffusion"
 }
 
 test_number_of_segments()
@@ -195,9 +222,17 @@ test_number_of_segments()
 test_awkward_meshes()
 {
   mkdir awkward
-  local name duty
+  local name duty distance
   while IFS=$'\t' read -r name duty; do
-    run "$segment" "$data/$name" -o awkward/a.seg -o awkward/a.ply -o awkward/parts/%d.ply --json awkward/a.json
+    if [ "$duty" != reject ]; then
+      run "$segment" "$data/$name"
+      local usual_code=$code
+      for distance in landmark diffusion heat exact; do
+        expect $usual_code "$segment" "$data/$name" --method paper --distance $distance
+      done
+    fi
+    run "$segment" "$data/$name" -o awkward/a.seg -o awkward/a.ply -o awkward/a.glb -o awkward/a.vtp \
+        -o awkward/parts/%d.ply --json awkward/a.json
     case "$duty:$code" in
       accept:0 | "accept or repair:0")
         [ -s awkward/a.seg ] && [ -s awkward/a.json ] || fail "$name: accepted without output"
@@ -218,7 +253,7 @@ test_awkward_meshes()
 
 test_awkward_segmentations()
 {
-  local name duty distance
+  local name duty
   while IFS=$'\t' read -r name duty; do
     run "$evaluate" "$data/tetrahedron.off" "$data/$name" "$data/good.seg" --json awkward/a.json
     if [ "$duty" = accept ]; then
@@ -269,11 +304,12 @@ code=0 command=""
 touch stdout stderr
 test_usage
 test_outputs
+test_report
 test_determinism
+test_distances
 test_number_of_segments
 test_awkward_meshes
 test_awkward_segmentations
 test_unwritable_outputs
 echo "$failures failures"
 [ "$failures" = 0 ]
-test_report

@@ -2,6 +2,9 @@
 
 #include "segment.h"
 
+#include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
+#include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
+#include <CGAL/Protrusion_segmentation/Heat_distance.h>
 #include <CGAL/protrusion_segmentation.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -21,7 +24,8 @@ namespace PS = CGAL::Protrusion_segmentation;
 
 // A further method or distance is one more alternative here and one more line in a table below.
 using Border = std::variant<PS::Minimum_cut_border, PS::Histogram_border>;
-using Distance = std::variant<PS::Geodesic_distance, PS::Landmark_geodesic_distance>;
+using Distance = std::variant<PS::Geodesic_distance, PS::Landmark_geodesic_distance,
+                              PS::Diffusion_distance, PS::Heat_distance, PS::Exact_geodesic_distance>;
 
 template <typename T>
 std::optional<T> parse(const std::string& text)
@@ -69,7 +73,14 @@ const std::vector<Entry<Distance>>& distance_table()
       {{"geodesic", "shortest paths in the face dual graph", {}},
        [](const Segmentation_options&) { return PS::Geodesic_distance(); }},
       {{"landmark", "the same by way of random landmarks", {"--landmarks"}},
-       [](const Segmentation_options& options) { return landmark_distance(options.landmarks); }}};
+       [](const Segmentation_options& options) { return landmark_distance(options.landmarks); }},
+      {{"diffusion", "how differently random walks spread", {"--eigenpairs", "--time"}},
+       [](const Segmentation_options& options)
+       { return PS::Diffusion_distance(options.eigenpairs, options.time); }},
+      {{"heat", "over the faces, by the heat method", {}},
+       [](const Segmentation_options&) { return PS::Heat_distance(); }},
+      {{"exact", "over the faces, exactly; slow, for small meshes", {}},
+       [](const Segmentation_options&) { return PS::Exact_geodesic_distance(); }}};
   return table;
 }
 

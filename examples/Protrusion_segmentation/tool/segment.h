@@ -9,6 +9,8 @@
 #include "../include/tool_support.h"
 #include "Recorder.h"
 
+#include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -23,6 +25,9 @@ struct Segmentation_options
   std::string method = "minimum-cut"; // the package's own default
   std::string distance = "geodesic";
   std::string landmarks = "5%"; // a share of the faces, or a number of them
+  std::size_t eigenpairs =
+      CGAL::Protrusion_segmentation::Diffusion_distance::default_number_of_eigenpairs();
+  double time = CGAL::Protrusion_segmentation::Diffusion_distance::default_time();
   unsigned int seed = 0;
 };
 
