@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_MARKDOWN_TABLES_H
+#define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_MARKDOWN_TABLES_H
+
+#include "guarded_run.h"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+struct Run
+{
+  std::string method;
+  std::string file;
+  Outcome outcome;
+};
+
+// A line for each method, then a line for each run that is not valid, by method.
+void write_tables(std::ostream& out, const std::vector<Run>& runs);
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_MARKDOWN_TABLES_H

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// robustness_benchmark --folder FOLDER [--methods LIST] [--every N] [--limit SECONDS] [--segments K]
+//
+// Runs every mesh file of a folder through every method, each run in a process of its own, and tells of
+// crashes, results that are no segmentation, refusals and their reasons, and runs that take too long.
+
+#include "guarded_run.h"
+#include "markdown_tables.h"
+#include "methods.h"
+#include "read_mesh.h"
+
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Protrusion_segmentation/internal/validation.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options
+{
+  std::string folder;
+  std::string methods = "Minimum-cut,Minimum-cut-automatic,Minimum-cut-DD(10),Minimum-cut-heat,Paper-GD,"
+                        "Paper-GD-automatic,Paper-LGD(5),Paper-DD(10),Paper-heat,SDF-5-0.26";
+  std::size_t every = 1;
+  std::size_t number_of_segments = 8;
+  double limit = 60;
+};
+
+// All files in the folder and the folders in it, in the order of their names.
+std::vector<fs::path> mesh_files(const Options& options)
+{
+  const std::vector<std::string> known = tool::mesh_extensions();
+  std::vector<fs::path> all, result;
+  for(const fs::directory_entry& entry : fs::recursive_directory_iterator(options.folder))
+    if(entry.is_regular_file() && std::find(known.begin(), known.end(),
+                                            tool::lower_case_extension(entry.path().string())) != known.end())
+      all.push_back(entry.path());
+  std::sort(all.begin(), all.end());
+  for(std::size_t i = 0; i < all.size(); i += options.every)
+    result.push_back(all[i]);
+  return result;
+}
+
+// As the command line tool reads it.
+Mesh read(const fs::path& file)
+{
+  Mesh mesh;
+  CGAL::copy_face_graph(tool::read_mesh(file.string()), mesh);
+  return mesh;
+}
+
+// What is wrong with the result, or nothing.
+std::string segment(const fs::path& file, const Segmentation_method& method, std::size_t number_of_segments)
+{
+  Mesh mesh = read(file);
+  if(method.name.substr(0, 3) == "SDF") // which is for triangles only
+    CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
+  const Labels labels =
+    method.segment(mesh, (std::min)(number_of_segments, std::size_t(mesh.number_of_faces())), 0);
+  const std::size_t number = 1 + *std::max_element(labels.begin(), labels.end());
+  return CGAL::Protrusion_segmentation::internal::problem_with_segmentation(mesh, label_map(labels), number)
+    .value_or("");
+}
+
+std::vector<Run> run_all(const Options& options)
+{
+  const std::vector<Segmentation_method> methods = chosen_methods(options.methods);
+  std::vector<Run> runs;
+  for(const fs::path& file : mesh_files(options))
+  {
+    const std::string name = fs::relative(file, options.folder).string();
+    const auto add = [&](const std::string& method, const std::function<std::string()>& call)
+    {
+      runs.push_back({method, name, guarded_run(call, options.limit)});
+      return runs.back().outcome.result == Result::VALID;
+    };
+    std::cerr << name << std::endl;
+    if(!add("reading", [&]() { return read(file), std::string(); }))
+    {
+      std::string& reason = runs.back().outcome.text;
+      if(reason.compare(0, file.string().size(), file.string()) == 0) // the table names the file already
+        reason.erase(0, file.string().size() + 2);
+      continue;
+    }
+    for(const Segmentation_method& method : methods)
+      add(method.name, [&]() { return segment(file, method, options.number_of_segments); });
+  }
+  return runs;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  Options options;
+  CLI::App app("Looks for crashes, invalid results, refusals and hangs.", "robustness_benchmark");
+  app.add_option("--folder", options.folder, "of mesh files")->required()->check(CLI::ExistingDirectory);
+  app.add_option("--methods", options.methods, "names from the quality benchmark")->capture_default_str();
+  app.add_option("--every", options.every, "take only each N-th file")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  app.add_option("--segments", options.number_of_segments, "asked for, where the mesh has enough faces")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  app.add_option("--limit", options.limit, "seconds for each run")
+    ->check(CLI::PositiveNumber)
+    ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  try
+  {
+    write_tables(std::cout, run_all(options));
+    return EXIT_SUCCESS;
+  }
+  catch(const std::exception& error)
+  {
+    std::cerr << "robustness_benchmark: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
+}
