@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The tables of the benchmark. Methods come from `protrusion_methods()` of the quality benchmark: a further
-// one is registered there, once, and appears in all tables of whole segmentations.
+// The tables of the benchmark. Methods come from `protrusion_methods()` of the quality benchmark: a
+// further one is registered there, once, and can be named here.
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_TABLES_H
 #define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_TABLES_H
@@ -16,7 +16,10 @@
 struct Options
 {
   std::string folder;
-  std::string models = "2,18,34,50,66,82,98,114,130,146,162,178,194,210,226,242,258,282,298,314,330,346,362,378,394";
+  // every eighth model
+  std::string models = "2,10,18,26,34,42,50,58,66,74,82,90,98,106,114,122,130,138,146,154,162,170,178,186,"
+                       "194,202,210,218,226,234,242,250,258,282,290,298,306,314,322,330,338,346,354,362,"
+                       "370,378,386,394";
   std::string methods = "Minimum-cut,Paper-GD";
   std::vector<int> tables = {1, 2, 3, 4, 5};
   std::size_t repetitions = 3;
