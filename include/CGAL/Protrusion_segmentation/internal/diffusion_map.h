@@ -208,7 +208,7 @@ inline double decay(const std::vector<double>& values, std::size_t k, double tim
   constexpr double zero = 1e-12; // a thousandth of the smallest value on meshes of millions of faces
   const auto rate = [](double value) { return -std::log(std::abs(1 - value)); };
   const auto slowest =
-    std::find_if(values.begin(), values.end(), [zero](double value) { return value > zero; });
+    std::find_if(values.begin(), values.end(), [](double value) { return value > zero; });
   if (time == 0 || slowest == values.end() || values[k] <= zero)
     return 1;
   return std::exp(-time * (rate(values[k]) / rate(*slowest)));
