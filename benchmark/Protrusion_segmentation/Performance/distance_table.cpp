@@ -120,7 +120,7 @@ void print_distance_table(const Options& options, const Benchmark_folder& folder
   print_row(table, models, "DD(5)", always(PS::Diffusion_distance(5)), {17.7, 105.4}, ours, n);
   print_row(table, models, "DD(10)", always(PS::Diffusion_distance(10)), {18.3, 106.3}, ours, n);
   print_row(table, models, "DD(k)",
-            [](const Model& model) { return PS::Diffusion_distance(model.number_of_segments); }, 
+            [](const Model& model) { return PS::Diffusion_distance(model.number_of_segments); },
             {17.4, 105.8}, ours, n);
   print_row(table, models, "heat", always(PS::Heat_distance()), {}, ours, n);
 }
