@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Any bytes as a mesh file, all the way of the command line tool: a mesh or an error in one line, then a valid
+// segmentation. The first byte chooses format, method and number of segments, the rest is the file.
+
+#include "fuzz_target.h"
+
+#include "read_mesh.h"
+
+#include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/validation.h>
+#include <CGAL/protrusion_segmentation.h>
+
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+#include <unistd.h>
+
+namespace {
+
+using namespace CGAL::Protrusion_segmentation;
+
+// Larger ones only take longer.
+constexpr std::size_t maximum_number_of_faces = 2000;
+
+class Temporary_mesh_file
+{
+public:
+  Temporary_mesh_file(const std::string& extension, const std::string& bytes)
+    : m_name((std::filesystem::temp_directory_path() /
+              ("fuzz_mesh_" + std::to_string(getpid()) + extension)).string())
+  {
+    std::ofstream(m_name, std::ios::binary) << bytes;
+  }
+  Temporary_mesh_file(const Temporary_mesh_file&) = delete;
+  Temporary_mesh_file& operator=(const Temporary_mesh_file&) = delete;
+  ~Temporary_mesh_file()
+  {
+    std::error_code ignored;
+    std::filesystem::remove(m_name, ignored);
+  }
+  const std::string& name() const { return m_name; }
+
+private:
+  std::string m_name;
+};
+
+template <typename Distance, typename Border>
+void segment(const tool::Mesh& mesh, std::size_t k, const Distance& distance, const Border& border)
+{
+  std::vector<std::size_t> ids(mesh.number_of_faces(), mesh.number_of_faces());
+  const auto map = boost::make_iterator_property_map(ids.begin(), get(boost::face_index, mesh));
+  const std::size_t number =
+    k == 0 ? CGAL::segmentation_via_protrusion_tips(mesh, map, distance, border)
+           : CGAL::segmentation_via_protrusion_tips(mesh, map, (std::min)(k, ids.size()), distance, border);
+  const auto problem = internal::problem_with_segmentation(mesh, map, number);
+  require(!problem, problem.value_or(""));
+}
+
+void segment(const tool::Mesh& mesh, std::size_t method, std::size_t k)
+{
+  switch(method)
+  {
+  case 0: return segment(mesh, k, Geodesic_distance(), Minimum_cut_border());
+  case 1: return segment(mesh, k, Geodesic_distance(), Histogram_border());
+  case 2: return segment(mesh, k, Landmark_geodesic_distance(), Histogram_border());
+  default: return segment(mesh, k, Diffusion_distance(), Histogram_border());
+  }
+}
+
+} // namespace
+
+void fuzz(const std::string& bytes)
+{
+  static const std::vector<std::string> extensions = {".off", ".obj", ".ply", ".stl"};
+  if(bytes.empty())
+    return;
+  const std::size_t choice = static_cast<unsigned char>(bytes[0]);
+  const Temporary_mesh_file file(extensions[choice % 4], bytes.substr(1));
+  tool::Mesh mesh;
+  try
+  {
+    mesh = tool::read_mesh(file.name());
+  }
+  catch(const tool::Error& error)
+  {
+    require(std::string(error.what()).find(file.name()) == 0, "the error does not name the file");
+    return;
+  }
+  if(mesh.number_of_faces() <= maximum_number_of_faces)
+    segment(mesh, choice / 4 % 4, choice / 16);
+}

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The same labels whatever compiled the method: fingerprints of labels beside those in
+// data/golden_labels.txt. After a change that is meant to change segments, `test_determinism --write`, called in
+// this folder, writes the file anew.
+
+#include "segmentations.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
+#include <CGAL/Protrusion_segmentation/Heat_distance.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cstdint>
+#include <fstream>
+#include <functional>
+
+using namespace test_meshes;
+using namespace CGAL::Protrusion_segmentation;
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Method = std::function<Labels(const Mesh&)>;
+
+constexpr const char* golden_file = "data/golden_labels.txt";
+
+// Sines and cosines may differ in their last digit; floats hide that.
+Mesh rounded(const Test_mesh& mesh)
+{
+  return to_graph<Mesh>(transformed(mesh, [](const Point& p)
+  {
+    return Point{float(p[0]), float(p[1]), float(p[2])};
+  }));
+}
+
+std::map<std::string, Mesh> meshes()
+{
+  return {{"star", rounded(star(5, 1, 0.2, 0.04, 0.2))},   {"creature", rounded(creature(0.2))},
+          {"hands", rounded(body_with_hands(3, 0.18))},     {"dumbbell", rounded(dumbbell())},
+          {"bumps", rounded(bumpy_sphere(3, 1))},           {"polygons", rounded(football())},
+          {"random", rounded(jittered(random_surface(3), 0.5, 3))}};
+}
+
+template <typename Distance, typename Border>
+Method method(const Distance& distance, const Border& border)
+{
+  return [distance, border](const Mesh& mesh)
+  {
+    return checked(mesh, [&](auto ids)
+    {
+      return CGAL::segmentation_via_protrusion_tips(mesh, ids, 6, distance, border);
+    }).labels;
+  };
+}
+
+std::map<std::string, Method> methods()
+{
+  return {{"minimum-cut", method(Geodesic_distance(), Minimum_cut_border())},
+          {"paper", method(Geodesic_distance(), Histogram_border())},
+          {"paper-landmark", method(Landmark_geodesic_distance(), Histogram_border())},
+          {"paper-diffusion", method(Diffusion_distance(), Histogram_border())},
+          {"paper-heat", method(Heat_distance(), Histogram_border())}};
+}
+
+// FNV-1a
+std::string fingerprint(const Labels& labels)
+{
+  std::uint64_t hash = 14695981039346656037u;
+  for(const std::size_t label : labels)
+    hash = (hash ^ label) * 1099511628211u;
+  std::ostringstream text;
+  text << std::hex << hash;
+  return text.str();
+}
+
+std::map<std::string, std::string> fingerprints()
+{
+  std::map<std::string, std::string> result;
+  for(const auto& mesh : meshes())
+    for(const auto& method : methods())
+      result[mesh.first + " " + method.first] = fingerprint(method.second(mesh.second));
+  return result;
+}
+
+void compare_with_golden_labels()
+{
+  std::map<std::string, std::string> golden;
+  std::ifstream in(golden_file);
+  for(std::string mesh, method, value; in >> mesh >> method >> value;)
+    golden[mesh + " " + method] = value;
+  const auto found = fingerprints();
+  CHECK_EQUAL(found.size(), golden.size());
+  for(const auto& item : found)
+    CHECK_EQUAL(item.first + " " + item.second, item.first + " " + golden[item.first]);
+}
+
+void write_golden_labels()
+{
+  std::ofstream out(golden_file);
+  for(const auto& item : fingerprints())
+    out << item.first << " " << item.second << "\n";
+  CHECK(out.good());
+}
+
+// Some threads, more threads than processors, and one.
+void the_number_of_threads_does_not_matter()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const Mesh mesh = rounded(creature(0.2));
+  const CGAL::Parallel_tag tag;
+  const Labels expected = method(Landmark_geodesic_distance(), Histogram_border())(mesh);
+  for(const std::size_t threads : {1, 2, 8})
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    CHECK(method(Landmark_geodesic_distance().concurrency_tag(tag),
+                 Histogram_border().concurrency_tag(tag))(mesh) == expected);
+  }
+#endif
+}
+
+// No digit of a coordinate changes, hence no label.
+void scaling_by_a_power_of_two_does_not_matter()
+{
+  const Test_mesh soup = creature(0.2);
+  for(const auto& method : methods())
+  {
+    const Labels expected = method.second(to_graph<Mesh>(soup));
+    for(const int exponent : {-900, -1, 7, 1000})
+      CHECK(method.second(to_graph<Mesh>(scaled(soup, std::ldexp(1., exponent)))) == expected);
+  }
+}
+
+int main(int argc, char** argv)
+{
+  if(argc == 2 && std::string(argv[1]) == "--write")
+    write_golden_labels();
+  else
+  {
+    compare_with_golden_labels();
+    the_number_of_threads_does_not_matter();
+    scaling_by_a_power_of_two_does_not_matter();
+  }
+  return check::result();
+}
