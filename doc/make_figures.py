@@ -6,7 +6,8 @@
 
 FOLDER holds the programs segment_by_protrusions and make_example_mesh, for instance
 build/demo/examples/Protrusion_segmentation. Needed besides, all from Debian: f3d and xvfb, which
-render the pictures, and imagemagick, which makes them brighter and small.
+render the pictures, imagemagick, which makes them brighter and small, and chromium, which shows the
+page of --report.
 """
 
 import argparse
@@ -247,7 +248,7 @@ class Workshop:
     def segment(self, shape, *options, segments=None):
         """The mesh coloured by segment, its segment ids, and the JSON record."""
         k = str(segments or SHAPES[shape][0])
-        out = self.folder / "_".join([shape, k, *options]).replace("/", "-")
+        out = self.folder / "_".join([shape, k, *map(str, options)]).replace("/", "-")
         files = {kind: out.with_suffix(out.suffix + kind) for kind in (".off", ".seg", ".json")}
         subprocess.run([self.programs / "segment_by_protrusions", self.mesh_file(shape), "-k", k,
                         "-o", files[".off"], "-o", files[".seg"], "--json", files[".json"],
@@ -327,6 +328,22 @@ def gallery(workshop):
         show(mesh, mesh.colors, f"gallery_{shape}.png", shape)
         if shape == "horse":
             show(mesh, mesh.colors, "package.png", shape, area=22500)
+    subprocess.run(["convert", *[FIGURES / f"gallery_{shape}.png" for shape in SHAPES], "-resize", "x180",
+                    "-bordercolor", "white", "-border", "6x0", "+append", "-strip", "+dither", "-colors",
+                    "128", f"PNG8:{FIGURES / 'readme.png'}"], check=True)
+
+
+def report(workshop):
+    """The page of --report with a segment that is selected."""
+    page = workshop.folder / "octopus.html"
+    workshop.segment("octopus", "--method", "paper", "--report", page)
+    picture = workshop.folder / "report.png"
+    subprocess.run(["chromium", "--headless=new", "--no-sandbox", "--use-angle=swiftshader",
+                    "--enable-unsafe-swiftshader", "--window-size=1200,980", f"--screenshot={picture}",
+                    "--virtual-time-budget=20000", f"{page.resolve().as_uri()}#8"],
+                   check=True, timeout=300, capture_output=True)
+    subprocess.run(["convert", picture, "-resize", "900x", "-strip", "+dither", "-colors", "96",
+                    f"PNG8:{FIGURES / 'report.png'}"], check=True)
 
 
 def landmarks(workshop):
@@ -339,7 +356,8 @@ def landmarks(workshop):
 
 
 def main():
-    figures = {f.__name__: f for f in (nested, surface_distance, tip_spheres, slots, gallery, landmarks)}
+    figures = {f.__name__: f for f in (nested, surface_distance, tip_spheres, slots, gallery, report,
+                                     landmarks)}
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("programs", type=pathlib.Path, help="folder of the built tools")
     parser.add_argument("--only", nargs="+", choices=figures, default=list(figures))

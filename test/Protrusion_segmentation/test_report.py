@@ -132,7 +132,7 @@ def check_speed(page, record):
 
 
 def check(page, record, work):
-    expect(page.text("title") == record["input"], "the title is not the name of the input")
+    expect(page.text("title") == pathlib.Path(record["input"]).name, "the title is not the name of the input")
     expect("three.js" in page.run("return document.getElementById('licence').textContent"), "no licence")
     expect(page.pixels() > 10000, "nothing is drawn")
     page.browser.save_screenshot(str(work / "begin.png"))

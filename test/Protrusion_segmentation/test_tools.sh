@@ -150,6 +150,7 @@ test_report()
     [ ! -e outputs/a.html ] || fail "$command: wrote a report"
     return
   fi
+  report_option=(--report awkward/a.html)
   expect 0 "$segment" $in -k 4 --report outputs/a.html
   expect_text stdout "wrote outputs/a.html"
   expect_text outputs/a.html "three.js authors"
@@ -232,7 +233,7 @@ test_awkward_meshes()
       done
     fi
     run "$segment" "$data/$name" -o awkward/a.seg -o awkward/a.ply -o awkward/a.glb -o awkward/a.vtp \
-        -o awkward/parts/%d.ply --json awkward/a.json
+        -o awkward/parts/%d.ply --json awkward/a.json "${report_option[@]}"
     case "$duty:$code" in
       accept:0 | "accept or repair:0")
         [ -s awkward/a.seg ] && [ -s awkward/a.json ] || fail "$name: accepted without output"
@@ -300,7 +301,7 @@ test_unwritable_outputs()
   "$segment" "$in" >/dev/full 2>stderr && fail "standard output: a full one is no failure"
 }
 
-code=0 command=""
+code=0 command="" report_option=()
 touch stdout stderr
 test_usage
 test_outputs

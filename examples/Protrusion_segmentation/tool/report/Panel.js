@@ -27,7 +27,7 @@ function histogram(values, slot, label)
 {
   const [width, height, left, top] = [320, 110, 44, 16];
   const highest = Math.max(...values, Number.MIN_VALUE);
-  const svg = svgElement("svg", {viewBox: `0 0 ${left + width + 4} ${top + height + 34}`, role: "img",
+  const svg = svgElement("svg", {viewBox: `0 0 ${left + width + 14} ${top + height + 34}`, role: "img",
                                  "aria-label": `${label}; the border is in slot ${slot}`,
                                  "font-size": 11});
   const add = (...what) => svg.append(svgElement(...what));
@@ -54,8 +54,9 @@ class Panel
     this.model = model;
     this.onSelect = onSelect;
     const {data} = model;
-    document.title = `${data.input} – protrusions`;
-    this.part("title").textContent = data.input;
+    const name = data.input.split(/[\\/]/).pop();
+    document.title = `${name} – protrusions`;
+    this.part("title").textContent = name;
     this.part("summary").textContent =
       `${data.faces.toLocaleString("en")} faces, ${data.segments} segments in ${format(data.seconds)} s; ` +
       `method ${data.method}, distance ${data.distance}`;

@@ -16,6 +16,9 @@ class Report
     this.connectPointer(this.view.canvas);
     this.connectKeys(this.view.canvas);
     this.setLevel(this.model.maximum);
+    const named = Number.parseInt(location.hash.slice(1)); // page.html#3 begins with segment 3
+    if (named < this.model.maximum)
+      this.select(named);
   }
 
   select(segment)
