@@ -106,15 +106,17 @@ public:
     std::size_t m_number_of_runs = 0;
   };
 
-  /// DD(10), the larger of the numbers in the paper's Table I; 5 are a little worse
+  /// \return 10: DD(10), the larger of the numbers in the paper's Table I; 5 are a little worse
   static constexpr std::size_t default_number_of_eigenpairs() { return 10; }
-  /// where the paper's method has the least Rand index error on development models of the Princeton benchmark:
+  /// \return 0.5, where the paper's method has the least Rand index error on development models of the Princeton benchmark:
   /// .28 at time 0, .22 at 0.3, .19 at 0.45 and 0.6, .24 at 1
   static constexpr double default_time() { return 0.5; }
 
   /// `number_of_eigenpairs` terms after `time` relaxation times of the random walk: <i>t</i> = `time` /
   /// ln(1 / &lambda;<sub>1</sub>) steps. At time 0 all terms have the same weight; with time the
   /// distance approaches a multiple of the difference in &psi;<sub>1</sub>.
+  /// \param number_of_eigenpairs the number of terms, above 0
+  /// \param time 0 or above
   /// \throw std::invalid_argument if `number_of_eigenpairs` is 0, or `time` is negative or not finite
   explicit Diffusion_distance(std::size_t number_of_eigenpairs = default_number_of_eigenpairs(),
                               double time = default_time())
