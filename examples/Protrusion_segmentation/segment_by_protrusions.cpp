@@ -162,7 +162,7 @@ void check_outputs_can_be_written(const Command_line& command_line)
       tool::Output_files::check(name);
 }
 
-// Why there are not as many segments as were asked for, or nothing.
+// Why there are not as many segments as were asked for, or no protrusions, or nothing.
 std::string note_on_number(const Options& options, const tool::Segmentation& segmentation)
 {
   const std::size_t found = segmentation.number_of_segments;
@@ -174,6 +174,8 @@ std::string note_on_number(const Options& options, const tool::Segmentation& seg
   else if (found > wanted)
     note << "found " << found << " segments instead of " << wanted << ": each of the mesh's "
          << found << " connected components is at least one";
+  else if (!options.number_of_segments && segmentation.record.protrusions().empty())
+    note << "found no evident protrusion; -k N asks for a number of segments";
   return note.str();
 }
 
