@@ -29,7 +29,8 @@ namespace CGAL {
 splits a surface mesh into a body and its protrusions, with distances and a border method of choice.
 
 Segment ids are 0 to n-1, where n is the returned number. Every segment is a connected set of faces.
-Connected components have the first ids, in the order of `faces(tmesh)`. Every border then splits one segment
+Connected components have the first ids. The ids depend on where the faces are and not on the order of
+`faces(tmesh)`, except for faces with the same centroid. Every border then splits one segment
 in two; the protrusion that it cuts off gets the next id and the rest keeps the old one. For
 `Minimum_cut_border` the protrusion is the side of smaller area, for `Histogram_border` the side of the tip. So
 what remains of a component in the end, its body, has the id of the component.
@@ -81,8 +82,8 @@ have fewer segments than asked for if no more borders are found.
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the number of segments, or 0 if the visitor stopped the function or the mesh has no faces; in both
-        cases nothing is written
+\return the number of segments, or 0 if the visitor stopped the function, or if the mesh has no faces and no
+        number of segments is given; in both cases nothing is written
 
 \throw std::invalid_argument if `number_of_segments` is 0 or larger than the number of faces, or if a
        coordinate is not finite
@@ -256,7 +257,7 @@ For every k, the segmentation of the hierarchy is the one of `segmentation_via_p
 \param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed` and `visitor` as
        for `segmentation_via_protrusion_tips()`
 
-\return the hierarchy; an empty one if the visitor stopped the function or the mesh has no faces
+\return the hierarchy; an empty one if the visitor stopped the function
 
 \throw std::invalid_argument if `maximum_number_of_segments` is 0 or larger than the number of faces, or if a
        coordinate is not finite

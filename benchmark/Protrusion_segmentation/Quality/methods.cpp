@@ -2,6 +2,7 @@
 
 #include "methods.h"
 
+#include "ablation_methods.h"
 #include "peers.h"
 #include "protrusion_methods.h"
 
@@ -22,6 +23,8 @@ void append(std::vector<Segmentation_method>& all, const std::vector<Segmentatio
 std::vector<Segmentation_method> all_methods()
 {
   std::vector<Segmentation_method> all = protrusion_methods();
+  append(all, ablation_methods());
+  append(all, remeshed_methods());
   append(all, sdf_methods());
   append(all, clustering_methods());
   return all;

@@ -39,7 +39,7 @@ public:
   /// @{
 
   /// \return the least prominence of a border: the natural logarithm of the ratio of the diameters behind
-  ///         and at the border. Above 0, default 0.3. If k segments were asked for and not found, it is
+  ///         and at the border. Above 0, default 0.4: a sphere has 0.33. If k segments were asked for and not found, it is
   ///         halved again and again.
   double minimum_prominence() const { return m_minimum_prominence; }
   /// \param value above 0
@@ -107,7 +107,9 @@ private:
     return {m_minimum_prominence, m_uses_candidate_intervals, false};
   }
 
-  double m_minimum_prominence = 0.3;
+  // On half of the development models of the Princeton benchmark the Rand index error with a given number of
+  // segments is .178 for 0.3 and 0.4, and .187 for 0.5; without a number .29, .25, .27.
+  double m_minimum_prominence = 0.4;
   bool m_uses_candidate_intervals = true;
   bool m_is_parallel = false;
 };

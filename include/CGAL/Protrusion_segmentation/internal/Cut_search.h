@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_SEARCH_H
 
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_ingredients.h>
 #include <CGAL/Protrusion_segmentation/internal/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/level_set_cuts.h>
 #include <CGAL/Protrusion_segmentation/internal/minimum_cut.h>
@@ -32,8 +33,9 @@ public:
   using Index = Seam_graph::Index;
   using Nodes = Graph_partition::Nodes;
 
-  explicit Cut_search(Graph_partition& partition)
+  explicit Cut_search(Graph_partition& partition, const Cut_ingredients& ingredients = {})
     : m_partition(partition),
+      m_ingredients(ingredients),
       m_sweep(partition),
       m_to_nearest_tip(partition.graph().number_of_nodes()),
       m_rank(partition.graph().number_of_nodes()),
@@ -103,7 +105,7 @@ public:
     while (fields.size() < maximum_number_of_tips)
     {
       fields.push_back(field_of_tip(part_label, tip));
-      if (distances.size() < tips_in_pairs)
+      if (m_ingredients.differences_of_distances && distances.size() < tips_in_pairs)
         distances.push_back(last_distances(part));
       for (Index i : part)
         m_to_nearest_tip[i] = (std::min)(m_to_nearest_tip[i], m_partition.distance(i));
@@ -245,14 +247,17 @@ private:
           inner.push_back(i);
     }
     inner = m_partition.connect_sides(part, part_label, inner);
-    const double cost = relative_cost_of(part_label, inner, part_area);
-    Nodes minimum = refine_cut(m_partition, part_label, part, inner, band, m_number);
-    minimum = m_partition.connect_sides(part, part_label, minimum);
-    if (relative_cost_of(part_label, minimum, part_area) < cost)
-      inner = std::move(minimum);
-    else
-      m_partition.mark(part, inner);
-    const double value = value_of_cut(m_partition, part_label, inner, part_area);
+    if (m_ingredients.minimum_cuts)
+    {
+      const double cost = relative_cost_of(part_label, inner, part_area);
+      Nodes minimum = refine_cut(m_partition, part_label, part, inner, band, m_number);
+      minimum = m_partition.connect_sides(part, part_label, minimum);
+      if (!m_ingredients.choice_of_cheaper || relative_cost_of(part_label, minimum, part_area) < cost)
+        inner = std::move(minimum);
+      else
+        m_partition.mark(part, inner);
+    }
+    const double value = value_of_cut(m_partition, part_label, inner, part_area, m_ingredients);
     return {std::move(inner), value};
   }
 
@@ -269,6 +274,7 @@ private:
   }
 
   Graph_partition& m_partition;
+  Cut_ingredients m_ingredients;
   Level_set_sweep m_sweep;
   std::vector<double> m_to_nearest_tip;
   std::vector<Index> m_rank;

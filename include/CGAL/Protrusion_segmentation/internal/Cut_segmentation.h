@@ -39,16 +39,20 @@ public:
   using Index = Surface_part::Index;
   using Nodes = Graph_partition::Nodes;
 
-  Cut_segmentation(const Surface_part& surface, const Distance& distance, Monitor<Visitor>& monitor)
+  Cut_segmentation(const Surface_part& surface,
+                   const Distance& distance,
+                   Monitor<Visitor>& monitor,
+                   const Cut_ingredients& ingredients = {})
     : m_surface(surface),
       m_distance(distance),
       m_monitor(monitor),
+      m_ingredients(ingredients),
       m_forest(surface),
-      m_fine_graph(make_seam_graph(surface)),
+      m_fine_graph(make_seam_graph(surface, ingredients)),
       m_coarse(coarsen(m_fine_graph, number_of_nodes)),
       m_fine(m_fine_graph, m_forest.labels),
       m_coarse_partition(m_coarse.graph, coarse_labels()),
-      m_search(m_coarse_partition),
+      m_search(m_coarse_partition, ingredients),
       m_extract(surface),
       m_number(surface.number_of_faces(), Surface_part::no_face()),
       m_parts(m_forest.number_of_segments())
@@ -274,6 +278,8 @@ private:
     if (inner.empty() || inner.size() == faces.size())
       return inner;
     inner = m_fine.connect_sides(faces, p, inner);
+    if (!m_ingredients.minimum_cut_on_faces)
+      return inner;
     inner = refine_cut(m_fine, p, faces, inner, band, m_number);
     return m_fine.connect_sides(faces, p, inner);
   }
@@ -297,7 +303,7 @@ private:
     const Nodes order = m_fine.nodes_by_distance(
       along_cut, [&](Index i) { return m_fine.label(i) == parent && m_fine.is_inner(i); },
       m_fine_graph.length);
-    protrusion.tip = order.back();
+    protrusion.tip = m_monitor.position(order.back());
     protrusion.border_distance = m_fine.distance(order.back()) * unit;
     m_monitor.visitor().tip_found(protrusion.tip);
     m_monitor.visitor().protrusion_found(protrusion);
@@ -306,6 +312,7 @@ private:
   const Surface_part& m_surface;
   const Distance& m_distance;
   Monitor<Visitor>& m_monitor;
+  Cut_ingredients m_ingredients;
   Segment_forest m_forest;
   Seam_graph m_fine_graph;
   Coarse_graph m_coarse;

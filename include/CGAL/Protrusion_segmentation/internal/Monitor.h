@@ -6,10 +6,12 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MONITOR_H
 
 #include <CGAL/Protrusion_segmentation/Default_visitor.h>
+#include <CGAL/Protrusion_segmentation/Surface_part.h>
 
 #include <cstddef>
 #include <exception>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
@@ -18,19 +20,25 @@ namespace internal {
 // Thrown when a visitor stops a segmentation; caught by the public functions.
 struct Cancelled {};
 
-// What the stages of one call share: the visitor, the seed and the unit of length.
+// What the stages of one call share: the visitor, the seed, and what turns lengths and faces of the surface
+// into those of the mesh.
 template <typename Visitor>
 class Monitor
 {
 public:
-  Monitor(Visitor& visitor, unsigned int random_seed, double unit)
-    : m_visitor(visitor), m_random_seed(random_seed), m_unit(unit)
+  Monitor(Visitor& visitor,
+          unsigned int random_seed,
+          double unit,
+          const std::vector<Surface_part::Index>& position)
+    : m_visitor(visitor), m_random_seed(random_seed), m_unit(unit), m_position(position)
   {}
 
   Visitor& visitor() { return m_visitor; }
   unsigned int random_seed() const { return m_random_seed; }
   // the length in the mesh of a length 1 of the surface
   double unit() const { return m_unit; }
+  // where a face of the surface is in the mesh
+  std::size_t position(Surface_part::Index face) const { return m_position[face]; }
 
   void check()
   {
@@ -51,6 +59,7 @@ private:
   Visitor& m_visitor;
   unsigned int m_random_seed;
   double m_unit;
+  const std::vector<Surface_part::Index>& m_position;
 };
 
 // Tells the visitor of the begin and, however the scope is left, of the end of a stage. An exception of the

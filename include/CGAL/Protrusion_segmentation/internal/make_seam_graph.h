@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MAKE_SEAM_GRAPH_H
 
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_ingredients.h>
 #include <CGAL/Protrusion_segmentation/internal/Seam_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/smooth_normals.h>
 
@@ -55,7 +56,7 @@ inline double signed_volume(const Surface_part& part)
 
 // The dual graph of a surface with the weights of its seams. An edge is concave if the smoothed normals of
 // its two faces lean towards each other; which side is inside is decided by the sign of the volume.
-inline Seam_graph make_seam_graph(const Surface_part& part)
+inline Seam_graph make_seam_graph(const Surface_part& part, const Cut_ingredients& ingredients = {})
 {
   using Index = Surface_part::Index;
   using Vector_3 = Surface_part::Vector_3;
@@ -91,12 +92,14 @@ inline Seam_graph make_seam_graph(const Surface_part& part)
       const double curvature = is_concave ? strength : -strength;
       graph.target.push_back(g);
       graph.length.push_back(static_cast<float>(length));
-      graph.concave_length.push_back(concave_length(length, curvature));
+      graph.concave_length.push_back(
+        concave_length(length, ingredients.cost_of_seams ? curvature : 0));
       graph.curvature.push_back(static_cast<float>(curvature));
       graph.border_length.push_back(static_cast<float>(border));
       graph.concave_border.push_back(
         static_cast<float>(curvature > Constants::seam_curvature ? border : 0));
-      graph.capacity.push_back(static_cast<float>(border * cost_of_seam(curvature)));
+      graph.capacity.push_back(
+        static_cast<float>(ingredients.cost_of_seams ? border * cost_of_seam(curvature) : border));
     }
     graph.first_arc.push_back(static_cast<Index>(graph.target.size()));
   }

@@ -97,6 +97,22 @@ std::vector<std::array<double, 3>> read_points(const FaceGraph& mesh,
   return points;
 }
 
+// The halfedge of a face from its lexicographically smallest point on: which one `halfedge(f, mesh)` is depends
+// on how the mesh was built.
+template <typename FaceGraph, typename VertexNumbers>
+typename boost::graph_traits<FaceGraph>::halfedge_descriptor first_halfedge(
+  typename boost::graph_traits<FaceGraph>::face_descriptor f,
+  const FaceGraph& mesh,
+  const VertexNumbers& numbers,
+  const std::vector<std::array<double, 3>>& points)
+{
+  auto first = halfedge(f, mesh);
+  for (const auto h : halfedges_around_face(first, mesh))
+    if (points[get(numbers, source(h, mesh))] < points[get(numbers, source(first, mesh))])
+      first = h;
+  return first;
+}
+
 // Builds the index arrays of a mesh: faces in the order of `faces(mesh)`. Linear time.
 template <typename FaceGraph, typename NamedParameters>
 Surface_of_mesh make_surface_part(const FaceGraph& mesh, const NamedParameters& np)
@@ -129,7 +145,7 @@ Surface_of_mesh make_surface_part(const FaceGraph& mesh, const NamedParameters& 
   for (const auto f : faces(mesh))
   {
     corner_begin.push_back(static_cast<Index>(corner_vertices.size()));
-    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
+    for (const auto h : halfedges_around_face(first_halfedge(f, mesh, vertex_numbers, points), mesh))
     {
       const auto g = face(opposite(h, mesh), mesh);
       corner_vertices.push_back(get(vertex_numbers, source(h, mesh)));

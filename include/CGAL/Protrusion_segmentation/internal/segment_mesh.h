@@ -10,6 +10,7 @@
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
 #include <CGAL/Protrusion_segmentation/internal/Monitor.h>
 #include <CGAL/Protrusion_segmentation/internal/Segment_forest.h>
+#include <CGAL/Protrusion_segmentation/internal/canonical_order.h>
 #include <CGAL/Protrusion_segmentation/internal/extract_part.h>
 #include <CGAL/Protrusion_segmentation/internal/make_surface_part.h>
 #include <CGAL/Protrusion_segmentation/internal/select_protrusion_tips.h>
@@ -100,6 +101,44 @@ void write_borders(const FaceGraph& mesh,
   }
 }
 
+// A mesh as index arrays, whose results do not depend on the order of its faces.
+struct Canonical_surface
+{
+  Surface_part part;
+  std::vector<Surface_part::Index> position; // in `faces(mesh)` of every face of the part
+  double unit;                               // what turns lengths back into those of the mesh
+
+  template <typename FaceGraph, typename NamedParameters>
+  Canonical_surface(const FaceGraph& mesh, const NamedParameters& np)
+  {
+    const Surface_of_mesh input = make_surface_part(mesh, np);
+    unit = input.unit;
+    Extracted_part ordered = Part_extractor(input.surface)(canonical_order(input.surface));
+    part = std::move(ordered.part);
+    position = std::move(ordered.faces);
+  }
+
+  // The faces of the part for faces given by their positions.
+  std::vector<Surface_part::Index> faces_at(const std::vector<Surface_part::Index>& positions) const
+  {
+    std::vector<Surface_part::Index> face(position.size()), result;
+    for (Surface_part::Index f = 0; f < position.size(); ++f)
+      face[position[f]] = f;
+    for (Surface_part::Index p : positions)
+      result.push_back(face[p]);
+    return result;
+  }
+
+  // Values of the faces of the part in the order of the mesh.
+  std::vector<Surface_part::Index> in_order_of_mesh(const std::vector<Surface_part::Index>& values) const
+  {
+    std::vector<Surface_part::Index> result(values.size());
+    for (Surface_part::Index f = 0; f < values.size(); ++f)
+      result[position[f]] = values[f];
+    return result;
+  }
+};
+
 // Runs `segment(surface, monitor)` on the arrays of a mesh; no result if the visitor stopped it or there is
 // no face.
 template <typename FaceGraph, typename NamedParameters, typename Segment>
@@ -113,16 +152,17 @@ std::optional<Segment_forest> run_on_mesh(const FaceGraph& mesh,
   using Visitor = std::remove_reference_t<decltype(visitor)>;
   try
   {
-    Surface_of_mesh input;
+    std::optional<Canonical_surface> surface;
     {
       const Stage_scope<Visitor> stage(visitor, Stage::READING);
-      input = make_surface_part(mesh, np);
+      surface.emplace(mesh, np);
     }
-    Monitor<Visitor> monitor(visitor, random_seed(np), input.unit);
+    Monitor<Visitor> monitor(visitor, random_seed(np), surface->unit, surface->position);
     monitor.check();
-    if (input.surface.number_of_faces() == 0)
+    if (surface->part.number_of_faces() == 0)
       return std::nullopt;
-    Segment_forest forest = segment(input.surface, monitor);
+    Segment_forest forest = segment(*surface, monitor);
+    forest.labels = surface->in_order_of_mesh(forest.labels);
     monitor.progress(1, 1);
     return forest;
   }
@@ -156,8 +196,8 @@ std::optional<Segment_forest> forest_of_mesh(const FaceGraph& mesh,
   if (number_of_segments)
     check_number_of_segments(*number_of_segments,
                              std::distance(faces(mesh).begin(), faces(mesh).end()));
-  return run_on_mesh(mesh, np, [&](const Surface_part& surface, auto& monitor)
-                     { return border.segment(surface, distance, number_of_segments, monitor); });
+  return run_on_mesh(mesh, np, [&](const Canonical_surface& surface, auto& monitor)
+                     { return border.segment(surface.part, distance, number_of_segments, monitor); });
 }
 
 template <typename FaceGraph,
@@ -229,8 +269,11 @@ std::size_t segment_mesh_from_tips(const FaceGraph& mesh,
 {
   const std::vector<Surface_part::Index> numbers = face_numbers(mesh, tips);
   const std::optional<Segment_forest> forest =
-    run_on_mesh(mesh, np, [&](const Surface_part& surface, auto& monitor)
-                { return border.segment_from_tips(surface, distance, numbers, monitor); });
+    run_on_mesh(mesh, np, [&](const Canonical_surface& surface, auto& monitor)
+                {
+                  return border.segment_from_tips(surface.part, distance, surface.faces_at(numbers),
+                                                  monitor);
+                });
   return write_results(mesh, forest, segment_ids, np);
 }
 
@@ -262,24 +305,25 @@ OutputIterator select_mesh_tips(const FaceGraph& mesh,
                                 const NamedParameters& np)
 {
   using Index = Surface_part::Index;
-  const Surface_of_mesh input = make_surface_part(mesh, np);
-  if (number_of_tips > input.surface.number_of_faces())
+  const Canonical_surface surface(mesh, np);
+  const Surface_part& part = surface.part;
+  if (number_of_tips > part.number_of_faces())
     throw std::invalid_argument("number_of_tips is " + std::to_string(number_of_tips) +
-                                ", but tmesh has only " +
-                                std::to_string(input.surface.number_of_faces()) + " faces");
-  const Segment_forest components(input.surface);
+                                ", but tmesh has only " + std::to_string(part.number_of_faces()) +
+                                " faces");
+  const Segment_forest components(part);
   std::vector<double> areas(components.number_of_segments(), 0);
   std::vector<std::size_t> face_counts(components.number_of_segments(), 0);
-  for (Index f = 0; f < input.surface.number_of_faces(); ++f)
+  for (Index f = 0; f < part.number_of_faces(); ++f)
   {
-    areas[components.labels[f]] += input.surface.area(f);
+    areas[components.labels[f]] += part.area(f);
     ++face_counts[components.labels[f]];
   }
   const std::vector<std::size_t> shares = share_out_tips(number_of_tips, areas, face_counts);
 
   const std::vector<typename boost::graph_traits<FaceGraph>::face_descriptor> descriptors(
     faces(mesh).begin(), faces(mesh).end());
-  Part_extractor extract(input.surface);
+  Part_extractor extract(part);
   for (Index c = 0; c < shares.size(); ++c)
   {
     const Extracted_part component = extract(components.faces_of(c));
@@ -288,7 +332,7 @@ OutputIterator select_mesh_tips(const FaceGraph& mesh,
       component.part, distances, shares[c], [](Index) { return true; },
       [](Index, const std::vector<double>&) {});
     for (Index tip : selection.tips)
-      *tips++ = descriptors[component.faces[tip]];
+      *tips++ = descriptors[surface.position[component.faces[tip]]];
   }
   return tips;
 }

@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_VALUE_OF_CUT_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_VALUE_OF_CUT_H
 
+#include <CGAL/Protrusion_segmentation/internal/Cut_ingredients.h>
 #include <CGAL/Protrusion_segmentation/internal/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/level_set_cuts.h>
 
@@ -105,6 +106,25 @@ inline Cut_clues clues_of_cut(Graph_partition& partition,
           (std::max)(inner_widening, outer_widening), (std::min)(inner_widening, outer_widening)};
 }
 
+// The clues that are among the ingredients; in place of the others their means over the candidate cuts of half
+// of the development models.
+inline Cut_clues without_left_out(Cut_clues clues, const Cut_ingredients& ingredients)
+{
+  constexpr Cut_clues mean = {0.54, 0.71, -1.77, 0.10, -0.24};
+  if (!ingredients.concave_share)
+    clues.concave_share = mean.concave_share;
+  if (!ingredients.relative_length)
+    clues.relative_length = mean.relative_length;
+  if (!ingredients.part_size)
+    clues.part_size = mean.part_size;
+  if (!ingredients.widening)
+  {
+    clues.larger_widening = mean.larger_widening;
+    clues.smaller_widening = mean.smaller_widening;
+  }
+  return clues;
+}
+
 // How much better a segmentation becomes by the cut whose inner side is marked: about the number of pairs of
 // points on different sides, times the probability that they belong apart less the one that they belong
 // together. The root keeps the largest parts from being cut for their size alone. Minus infinity if a side
@@ -112,12 +132,14 @@ inline Cut_clues clues_of_cut(Graph_partition& partition,
 inline double value_of_cut(Graph_partition& partition,
                            Seam_graph::Index part_label,
                            const Graph_partition::Nodes& inner,
-                           double part_area)
+                           double part_area,
+                           const Cut_ingredients& ingredients = {})
 {
   const double area = partition.area(inner);
   if (!is_large_enough(area, part_area))
     return -(std::numeric_limits<double>::infinity)();
-  const double probability = probability_of_cut(clues_of_cut(partition, part_label, inner, part_area));
+  const Cut_clues clues = clues_of_cut(partition, part_label, inner, part_area);
+  const double probability = probability_of_cut(without_left_out(clues, ingredients));
   return (2 * probability - 1) * std::sqrt(area * (part_area - area));
 }
 
