@@ -21,11 +21,11 @@ struct Outcome
 {
   Result result;
   std::string text; // what is invalid, why it was refused, which signal
-  double seconds = 0;
+  double seconds = 0; // of processor time
 };
 
 // Runs `call`, which returns what is wrong with its result or an empty text, in a child process of at most
-// `limit` seconds. POSIX only.
-Outcome guarded_run(const std::function<std::string()>& call, double limit);
+// `limit` seconds of processor time: other load on the machine does not count. POSIX only.
+Outcome guarded_run(const std::function<std::string()>& call, unsigned int limit);
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_GUARDED_RUN_H

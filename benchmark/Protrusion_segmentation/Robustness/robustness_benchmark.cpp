@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // robustness_benchmark --folder FOLDER [--methods LIST] [--every N] [--limit SECONDS] [--segments K]
+//                      [--maximum-faces N]
 //
 // Runs every mesh file of a folder through every method, each run in a process of its own, and tells of
 // crashes, results that are no segmentation, refusals and their reasons, and runs that take too long.
 
 #include "guarded_run.h"
 #include "markdown_tables.h"
-#include "methods.h"
+#include "peers.h"
+#include "protrusion_methods.h"
 #include "read_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -19,6 +21,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
 
 namespace {
 
@@ -31,7 +36,8 @@ struct Options
                         "Paper-GD-automatic,Paper-LGD(5),Paper-DD(10),Paper-heat,SDF-5-0.26";
   std::size_t every = 1;
   std::size_t number_of_segments = 8;
-  double limit = 60;
+  std::size_t maximum_number_of_faces = (std::numeric_limits<std::size_t>::max)();
+  unsigned int limit = 60;
 };
 
 // All files in the folder and the folders in it, in the order of their names.
@@ -57,6 +63,13 @@ Mesh read(const fs::path& file)
   return mesh;
 }
 
+std::string check_size(const Mesh& mesh, std::size_t maximum_number_of_faces)
+{
+  if(mesh.number_of_faces() > maximum_number_of_faces)
+    throw std::length_error("left out: it has " + std::to_string(mesh.number_of_faces()) + " faces");
+  return "";
+}
+
 // What is wrong with the result, or nothing.
 std::string segment(const fs::path& file, const Segmentation_method& method, std::size_t number_of_segments)
 {
@@ -68,6 +81,24 @@ std::string segment(const fs::path& file, const Segmentation_method& method, std
   const std::size_t number = 1 + *std::max_element(labels.begin(), labels.end());
   return CGAL::Protrusion_segmentation::internal::problem_with_segmentation(mesh, label_map(labels), number)
     .value_or("");
+}
+
+// Those of this package and the peer, of the names in a list.
+std::vector<Segmentation_method> chosen_methods(const std::string& list)
+{
+  std::vector<Segmentation_method> all = protrusion_methods(), result;
+  for(const Segmentation_method& method : sdf_methods())
+    all.push_back(method);
+  std::istringstream in(list);
+  for(std::string name; std::getline(in, name, ',');)
+  {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Segmentation_method& method)
+                                    { return method.name == name; });
+    if(found == all.end())
+      throw std::invalid_argument("there is no method '" + name + "'");
+    result.push_back(*found);
+  }
+  return result;
 }
 
 std::vector<Run> run_all(const Options& options)
@@ -83,7 +114,7 @@ std::vector<Run> run_all(const Options& options)
       return runs.back().outcome.result == Result::VALID;
     };
     std::cerr << name << std::endl;
-    if(!add("reading", [&]() { return read(file), std::string(); }))
+    if(!add("reading", [&]() { return check_size(read(file), options.maximum_number_of_faces); }))
     {
       std::string& reason = runs.back().outcome.text;
       if(reason.compare(0, file.string().size(), file.string()) == 0) // the table names the file already
@@ -110,7 +141,8 @@ int main(int argc, char** argv)
   app.add_option("--segments", options.number_of_segments, "asked for, where the mesh has enough faces")
     ->check(CLI::PositiveNumber)
     ->capture_default_str();
-  app.add_option("--limit", options.limit, "seconds for each run")
+  app.add_option("--maximum-faces", options.maximum_number_of_faces, "larger meshes are left out");
+  app.add_option("--limit", options.limit, "seconds of processor time for each run")
     ->check(CLI::PositiveNumber)
     ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
