@@ -33,7 +33,6 @@ std::vector<Segmentation_method> ablation_methods()
   using Ingredients = PS::internal::Cut_ingredients;
   const std::vector<std::pair<std::string, bool Ingredients::*>> ingredients = {
     {"cost-of-seams", &Ingredients::cost_of_seams},
-    {"differences-of-distances", &Ingredients::differences_of_distances},
     {"minimum-cuts", &Ingredients::minimum_cuts},
     {"choice-of-cheaper", &Ingredients::choice_of_cheaper},
     {"minimum-cut-on-faces", &Ingredients::minimum_cut_on_faces},

@@ -21,9 +21,8 @@ namespace Protrusion_segmentation {
 Borders along concave seams: the default border method.
 
 A cut costs its length, little where it runs along a concave seam. Candidates are those level sets of the
-distances from protrusion tips, and of the differences of the distances from two tips, that cost least for
-the area that they cut off. Where the minimum cut in a band around a candidate is better, it takes its place.
-The value of a cut is estimated from how much of it lies in a concave seam, its length, how suddenly the
+distances from protrusion tips that cost least for the area that they cut off. Where the minimum cut in a band
+around a candidate is better, it takes its place. The value of a cut is estimated from how much of it lies in a concave seam, its length, how suddenly the
 surface widens behind it and the areas on both sides. The best cut of all segments splits its segment; so the
 segmentations for different numbers of segments are nested. Without a number of segments, the method stops
 when no cut has an evident value.

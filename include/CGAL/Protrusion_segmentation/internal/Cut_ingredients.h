@@ -13,11 +13,10 @@ namespace internal {
 // brings; everything else uses them all.
 struct Cut_ingredients
 {
-  bool cost_of_seams = true;            // else a cut costs its length, wherever it runs
-  bool differences_of_distances = true; // as fields beside the distances from the tips
-  bool minimum_cuts = true;             // around level sets, on the coarse graph
-  bool choice_of_cheaper = true;        // of level set and minimum cut, else the minimum cut
-  bool minimum_cut_on_faces = true;     // when a cut is transferred to the faces
+  bool cost_of_seams = true;        // else a cut costs its length, wherever it runs
+  bool minimum_cuts = true;         // around level sets, on the coarse graph
+  bool choice_of_cheaper = true;    // of level set and minimum cut, else the minimum cut
+  bool minimum_cut_on_faces = true; // when a cut is transferred to the faces
   // clues to the value of a cut; without one, its mean over candidates takes its place
   bool concave_share = true;
   bool relative_length = true;

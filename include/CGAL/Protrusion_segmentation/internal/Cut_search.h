@@ -88,25 +88,20 @@ public:
   }
 
   // The fields of a part: the distances from each of its tips, which are selected by eq. (2) from the node
-  // farthest from the part's centre of gravity on until the part is covered, and the differences of the
-  // distances from two of the first tips, whose level sets run across the body between them.
+  // farthest from the part's centre of gravity on until the part is covered.
   std::vector<Nodes> tip_fields(Index part_label, const Nodes& part)
   {
     constexpr std::size_t maximum_number_of_tips = 12;
-    constexpr std::size_t tips_in_pairs = 5;
     // a tip nearer to another one than that share of the part's size is no tip of its own
     constexpr double least_distance = 0.1;
     const double part_area = m_partition.area(part);
     for (Index i : part)
       m_to_nearest_tip[i] = (std::numeric_limits<double>::infinity)();
     std::vector<Nodes> fields;
-    std::vector<std::vector<double>> distances; // from each of the first tips, in the order of `part`
     Index tip = field_of_tip(part_label, central_node(part, part_area)).back();
     while (fields.size() < maximum_number_of_tips)
     {
       fields.push_back(field_of_tip(part_label, tip));
-      if (m_ingredients.differences_of_distances && distances.size() < tips_in_pairs)
-        distances.push_back(last_distances(part));
       for (Index i : part)
         m_to_nearest_tip[i] = (std::min)(m_to_nearest_tip[i], m_partition.distance(i));
       tip = *std::max_element(part.begin(), part.end(), [&](Index a, Index b)
@@ -114,9 +109,6 @@ public:
       if (m_to_nearest_tip[tip] < least_distance * std::sqrt(part_area))
         break;
     }
-    for (std::size_t a = 1; a < distances.size(); ++a)
-      for (std::size_t b = 0; b < a; ++b)
-        fields.push_back(field_of_difference(part, distances[a], distances[b]));
     return fields;
   }
 
@@ -125,31 +117,6 @@ public:
 private:
   // Level sets of a part that are looked at more closely; a bit each in `m_kept`.
   static constexpr std::size_t maximum_number_of_sets = 10;
-
-  std::vector<double> last_distances(const Nodes& part) const
-  {
-    std::vector<double> result;
-    result.reserve(part.size());
-    for (Index i : part)
-      result.push_back(m_partition.distance(i));
-    return result;
-  }
-
-  static Nodes field_of_difference(const Nodes& part,
-                                   const std::vector<double>& from_a,
-                                   const std::vector<double>& from_b)
-  {
-    std::vector<std::pair<double, Index>> values;
-    values.reserve(part.size());
-    for (std::size_t i = 0; i < part.size(); ++i)
-      values.emplace_back(from_a[i] - from_b[i], part[i]);
-    std::sort(values.begin(), values.end());
-    Nodes order;
-    order.reserve(part.size());
-    for (const auto& value : values)
-      order.push_back(value.second);
-    return order;
-  }
 
   Index central_node(const Nodes& part, double part_area) const
   {
