@@ -103,8 +103,10 @@ private:
     if(type == "list")
       words >> count_type >> type;
     words >> name;
+    if(m_elements.empty()) // CGAL's reader would crash
+      throw Error(m_file_name, "is not a well-formed mesh file");
     const Property property = {name, size_of_type(type), size_of_type(count_type)};
-    if(!words || m_elements.empty() || property.size == 0 ||
+    if(!words || property.size == 0 ||
        (!count_type.empty() && property.count_size == 0))
       return false;
     m_elements.back().properties.push_back(property);
