@@ -43,7 +43,7 @@ HEADERS = ROOT / "include/CGAL/Protrusion_segmentation"
 OUTPUT = re.compile(r"(<!-- begin output of (\w+) for (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
 LONGEST_OUTPUT = 16  # lines
 BLOCK = re.compile(r"(<!-- begin ([^: \n]+?)(?:: ([^\n]+?))? -->\n).*?(<!-- end -->)", re.DOTALL)
-RESULT = re.compile(r"^(\| [^|]*<!-- ([\w-]+) --> )\|.*$", re.MULTILINE)
+RESULT = re.compile(r"^(\| [^|]*<!-- ([^ ]+) --> )\|.*$", re.MULTILINE)
 README_COLUMNS = ("RI", "HD", "CD")
 ROW = re.compile(r"^\| `([\w/]+\.h)`, `(\w+)` \| ([^|]+) \|", re.MULTILINE)
 
