@@ -29,12 +29,7 @@ Segmentation automatic_segmentation(const Test_mesh& soup)
 
 void check_parts(const Test_mesh& mesh, double least_share)
 {
-  const Segmentation found = default_segmentation(mesh, number_of_parts(mesh));
-  CHECK_EQUAL(found.number, number_of_parts(mesh));
-  const double share = share_in_true_parts(mesh, found.labels);
-  std::cout << mesh.faces.size() << " faces, " << found.number << " segments: "
-            << 100 * share << " % of the area in the true part\n";
-  CHECK(share >= least_share);
+  check_parts(mesh, default_segmentation(mesh, number_of_parts(mesh)), least_share);
 }
 
 void true_parts_are_found()

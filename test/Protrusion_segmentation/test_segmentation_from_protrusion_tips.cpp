@@ -3,30 +3,13 @@
 // Tips alone, and segmentations from given tips.
 
 #include "segmentations.h"
-#include "test_meshes.h"
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include "star_mesh.h"
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 namespace parameters = CGAL::parameters;
 
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Face_descriptor = Mesh::Face_index;
-
-const Test_mesh& star_soup()
-{
-  static const Test_mesh soup = star(4, 1, 0.15, 0.04, 0.2);
-  return soup;
-}
-
-const Mesh& star_mesh()
-{
-  static const Mesh mesh = to_graph<Mesh>(star_soup());
-  return mesh;
-}
 
 std::vector<Face_descriptor> tips_of(const Mesh& mesh, std::size_t number)
 {

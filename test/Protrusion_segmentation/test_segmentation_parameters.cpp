@@ -3,31 +3,13 @@
 // Named parameters, options, several components, and what is refused.
 
 #include "segmentations.h"
-#include "test_meshes.h"
-
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
+#include "star_mesh.h"
 
 #include <boost/property_map/function_property_map.hpp>
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 namespace parameters = CGAL::parameters;
-
-using Kernel = CGAL::Simple_cartesian<double>;
-using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-
-const Test_mesh& star_soup()
-{
-  static const Test_mesh soup = star(4, 1, 0.15, 0.04, 0.2);
-  return soup;
-}
-
-const Mesh& star_mesh()
-{
-  static const Mesh mesh = to_graph<Mesh>(star_soup());
-  return mesh;
-}
 
 // Automatic number of segments.
 template <typename FaceGraph>

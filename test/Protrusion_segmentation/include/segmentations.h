@@ -119,6 +119,16 @@ inline double share_in_true_parts(const Test_mesh& mesh, const Labels& labels)
   return sum / area(mesh);
 }
 
+// As many segments as there are true parts, and at least `least_share` of the area in the right one.
+inline void check_parts(const Test_mesh& mesh, const Segmentation& found, double least_share)
+{
+  CHECK_EQUAL(found.number, number_of_parts(mesh));
+  const double share = share_in_true_parts(mesh, found.labels);
+  std::cout << mesh.faces.size() << " faces, " << found.number << " segments: "
+            << 100 * share << " % of the area in the true part\n";
+  CHECK(share >= least_share);
+}
+
 } // namespace test_meshes
 
 #endif // CGAL_TEST_PROTRUSION_SEGMENTATION_SEGMENTATIONS_H
