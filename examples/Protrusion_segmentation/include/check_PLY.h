@@ -27,11 +27,10 @@ public:
       m_file_size(std::filesystem::file_size(file_name))
   { }
 
-  // Throws an `Error` for what only this class looks for; leaves all other errors to CGAL's reader.
+  // Throws an `Error` for what only this class looks for; leaves other errors to CGAL's reader.
   void check()
   {
-    if(!read_header())
-      return;
+    read_header();
     check_coordinates();
     for(const Element& element : m_elements)
       for(std::uint64_t i = 0; i < element.count; ++i)
@@ -70,8 +69,8 @@ private:
     return found == sizes.end() ? 0 : found->second;
   }
 
-  // Returns false if there is something in it that is unknown here.
-  bool read_header()
+  // CGAL's reader skips a property of a type that it does not know, and takes its bytes for others.
+  void read_header()
   {
     for(std::string line; std::getline(m_in, line);)
     {
@@ -79,39 +78,38 @@ private:
       std::string keyword;
       words >> keyword;
       if(keyword == "end_header")
-        return true;
+        return;
       if(keyword == "format")
         words >> m_format;
       else if(keyword == "element")
       {
         Element element;
         if(!(words >> element.name >> element.count))
-          return false;
+          refuse();
         check_count(element.count);
         m_elements.push_back(element);
       }
-      else if(keyword == "property" && !read_property(words))
-        return false;
+      else if(keyword == "property")
+        read_property(words);
     }
-    return false;
+    refuse(); // no end_header
   }
 
-  bool read_property(std::istringstream& words)
+  void read_property(std::istringstream& words)
   {
     std::string type, count_type, name;
     words >> type;
     if(type == "list")
       words >> count_type >> type;
     words >> name;
-    if(m_elements.empty()) // CGAL's reader would crash
-      throw Error(m_file_name, "is not a well-formed mesh file");
     const Property property = {name, size_of_type(type), size_of_type(count_type)};
-    if(!words || property.size == 0 ||
+    if(!words || m_elements.empty() || property.size == 0 ||
        (!count_type.empty() && property.count_size == 0))
-      return false;
+      refuse();
     m_elements.back().properties.push_back(property);
-    return true;
   }
+
+  [[noreturn]] void refuse() const { throw Error(m_file_name, "is not a well-formed mesh file"); }
 
   void check_coordinates() const
   {
