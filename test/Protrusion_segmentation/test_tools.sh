@@ -111,7 +111,7 @@ test_outputs()
   [ "$(sort -u outputs/a.seg | tr '\n' ' ')" = "0 1 2 3 " ] || fail "a.seg has other ids than 0 to 3"
   expect_text outputs/a.ply "format binary"
   expect_text outputs/a.ply "element face $faces"
-  expect_text outputs/a.ply "property uchar red"
+  [ "$(grep -ac "property uchar red" outputs/a.ply)" = 2 ] || fail "a.ply has not colours of vertices and of faces"
   expect_text outputs/a.ply "property uint segment"
   expect_text outputs/a.vtp "NumberOfPolys=\"$faces\""
   [ "$(sed -n '/Name="segment"/,/DataArray>/p' outputs/a.vtp | grep -v DataArray)" = "$(cat outputs/a.seg)" ] ||

@@ -25,12 +25,13 @@ struct Segmented_mesh
 {
   Mesh mesh;
   Mesh::Property_map<Face, std::uint32_t> segments; // a type that PLY knows
+  Mesh::Property_map<Face, CGAL::IO::Color> colors;
 
   // `segment_of` has the segment of every face.
   Segmented_mesh(const Mesh& plain, const std::vector<std::size_t>& segment_of) : mesh(plain)
   {
     segments = mesh.add_property_map<Face, std::uint32_t>("f:segment").first;
-    auto colors = mesh.add_property_map<Face, CGAL::IO::Color>("f:color").first;
+    colors = mesh.add_property_map<Face, CGAL::IO::Color>("f:color").first;
     std::size_t i = 0;
     for (const Face f : faces(mesh))
     {
@@ -45,10 +46,16 @@ bool write_seg(std::ostream& out, const Segmented_mesh& segmented)
   return CGAL::IO::write_SEG(out, segmented.mesh, segmented.segments);
 }
 
+// Blender reads the colours of vertices only: a vertex gets that of one of its faces.
 bool write_ply(std::ostream& out, const Segmented_mesh& segmented)
 {
+  Mesh mesh = segmented.mesh;
+  auto vertex_colors = mesh.add_property_map<Mesh::Vertex_index, CGAL::IO::Color>("v:color").first;
+  for (const Face f : faces(mesh))
+    for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      vertex_colors[v] = segmented.colors[f];
   CGAL::IO::set_binary_mode(out);
-  return CGAL::IO::write_PLY(out, segmented.mesh);
+  return CGAL::IO::write_PLY(out, mesh);
 }
 
 bool write_off(std::ostream& out, const Segmented_mesh& segmented)
@@ -82,7 +89,7 @@ const std::vector<Format>& formats()
   static const std::vector<Format> table = {
       {".seg", "one segment id a line, as in the Princeton Segmentation Benchmark", write_seg,
        false},
-      {".ply", "mesh with face colours and a face property 'segment', binary", write_ply, true},
+      {".ply", "mesh with colours of faces and vertices and a face property 'segment', binary", write_ply, true},
       {".off", "mesh with face colours", write_off, true},
       {".glb", "glTF 2.0, binary: a coloured mesh of its own for each segment", write_glb, true},
       {".vtp", "VTK polygonal data, text, with cell data 'segment' and 'color'", write_vtp, true}};
