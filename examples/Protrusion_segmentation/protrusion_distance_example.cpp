@@ -32,28 +32,26 @@ struct Bent_distance
   class On_part
   {
   public:
-    explicit On_part(const Surface_part& part) : m_part(part)
+    explicit On_part(const Surface_part& part) : m_graph(part.dual_graph())
     {
-      const Surface_part::Dual_graph& graph = part.dual_graph();
-      for (const auto arc : CGAL::make_range(edges(graph)))
+      for (const auto arc : CGAL::make_range(edges(m_graph)))
       {
-        const auto a = part.area_vector(source(arc, graph)), b = part.area_vector(target(arc, graph));
+        const auto a = part.area_vector(source(arc, m_graph)), b = part.area_vector(target(arc, m_graph));
         const double areas = std::sqrt(a.squared_length() * b.squared_length());
         const double bend = areas > 0 ? 1 - a * b / areas : 0; // 0 flat, 1 a right angle, 2 folded
-        m_lengths.push_back(graph[arc].length * (1 + 20 * bend));
+        m_lengths.push_back(m_graph[arc].length * (1 + 20 * bend));
       }
     }
 
     void operator()(Surface_part::Index source, std::vector<double>& distances)
     {
-      const Surface_part::Dual_graph& graph = m_part.dual_graph();
-      distances.resize(m_part.number_of_faces());
+      distances.resize(num_vertices(m_graph));
       boost::dijkstra_shortest_paths(
-          graph, source,
+          m_graph, source,
           boost::distance_map(boost::make_iterator_property_map(distances.begin(),
-                                                                get(boost::vertex_index, graph)))
+                                                                get(boost::vertex_index, m_graph)))
               .weight_map(boost::make_iterator_property_map(m_lengths.begin(),
-                                                            get(boost::edge_index, graph))));
+                                                            get(boost::edge_index, m_graph))));
       ++m_number_of_runs;
     }
 
@@ -75,7 +73,7 @@ struct Bent_distance
     }
 
   private:
-    const Surface_part& m_part;
+    Surface_part::Dual_graph m_graph;
     std::vector<double> m_lengths; // of the arcs
     std::size_t m_number_of_runs = 0;
   };

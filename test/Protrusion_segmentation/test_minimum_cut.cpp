@@ -68,7 +68,7 @@ void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
   const Seam_graph graph = internal::make_seam_graph(to_surface_part(mesh));
   Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
   Nodes order = partition.nodes_by_distance(Nodes(1, tip % graph.number_of_nodes()),
-                                            [](Index) { return true; }, graph.concave_length);
+                                            [](Index) { return true; }, graph.concave_lengths());
   CHECK_EQUAL(order.size(), graph.number_of_nodes());
   internal::Level_set_sweep sweep(partition);
   for(const bool descending : {false, true})
@@ -92,7 +92,7 @@ void minimum_cuts_are_minimal(unsigned int seed)
   const Index n = graph.number_of_nodes();
   Graph_partition partition(graph, std::vector<Index>(n, 0));
   const Nodes order =
-    partition.nodes_by_distance(Nodes(1, 0), [](Index) { return true; }, graph.length);
+    partition.nodes_by_distance(Nodes(1, 0), [](Index) { return true; }, graph.lengths());
   const Index half = n / 2;
   if(half < 6 || half + 6 > n)
     return;

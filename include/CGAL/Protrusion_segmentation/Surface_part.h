@@ -37,7 +37,7 @@ centroids of the two faces.
 The coordinates are those of the input mesh, moved and scaled by a power of two so that the whole
 surface fits into [-1, 1]<sup>3</sup>: neither tiny nor huge coordinates can under- or overflow.
 
-The memory is about 110 bytes per triangle.
+The memory is about 70 bytes per triangle.
 */
 class Surface_part
 {
@@ -78,7 +78,6 @@ public:
       m_corner_neighbors(std::move(corner_neighbors))
   {
     measure_faces();
-    build_dual_graph();
   }
 
   /// \return the number of faces
@@ -124,8 +123,34 @@ public:
   /// \return the sum of the areas of all faces
   double area() const { return m_area; }
 
-  /// \return the face dual graph
-  const Dual_graph& dual_graph() const { return m_graph; }
+  /// \return the length of an arc of the face dual graph: the distance between the centroids of two faces
+  /// \param f below `number_of_faces()`
+  /// \param g below `number_of_faces()`
+  double arc_length(Index f, Index g) const
+  {
+    return std::sqrt(squared_distance(centroid(f), centroid(g)));
+  }
+  /// makes the face dual graph in linear time; it takes another 40 bytes per triangle.
+  /// \return the graph, the arcs of a face in the order of its corners
+  Dual_graph dual_graph() const
+  {
+    std::vector<Index> sources, targets;
+    std::vector<Arc> arcs;
+    sources.reserve(number_of_corners());
+    targets.reserve(number_of_corners());
+    arcs.reserve(number_of_corners());
+    for (Index f = 0; f < number_of_faces(); ++f)
+      for (Index c = first_corner(f); c < first_corner(f + 1); ++c)
+        if (neighbor(c) != no_face())
+        {
+          sources.push_back(f);
+          targets.push_back(neighbor(c));
+          arcs.push_back({arc_length(f, neighbor(c))});
+        }
+    // sorted by source as they are, the vectors become those of the graph
+    return Dual_graph(boost::construct_inplace_from_sources_and_targets, sources, targets, arcs,
+                      number_of_faces());
+  }
 
   /// \return a vector normal to a face, as long as its area: half the sum of the vector products of
   ///         consecutive corners
@@ -180,23 +205,6 @@ private:
     }
   }
 
-  void build_dual_graph()
-  {
-    std::vector<std::pair<Index, Index>> arcs;
-    std::vector<Arc> properties;
-    arcs.reserve(number_of_corners());
-    properties.reserve(number_of_corners());
-    for (Index f = 0; f < number_of_faces(); ++f)
-      for (Index c = first_corner(f); c < first_corner(f + 1); ++c)
-        if (neighbor(c) != no_face())
-        {
-          arcs.emplace_back(f, neighbor(c));
-          properties.push_back({std::sqrt(squared_distance(centroid(f), centroid(neighbor(c))))});
-        }
-    m_graph = Dual_graph(boost::edges_are_sorted, arcs.begin(), arcs.end(), properties.begin(),
-                         number_of_faces(), static_cast<Index>(arcs.size()));
-  }
-
   std::vector<Point_3> m_points;
   std::vector<Index> m_corner_begin = std::vector<Index>(1, 0);
   std::vector<Index> m_corner_vertices;
@@ -204,7 +212,6 @@ private:
   std::vector<Point_3> m_centroids;
   std::vector<double> m_areas;
   double m_area = 0;
-  Dual_graph m_graph;
 };
 
 } // namespace Protrusion_segmentation

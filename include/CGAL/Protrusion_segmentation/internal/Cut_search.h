@@ -84,7 +84,7 @@ public:
     ++m_number_of_runs;
     return m_partition.nodes_by_distance(
       Nodes(1, tip), [&](Index i) { return m_partition.label(i) == part_label; },
-      m_partition.graph().concave_length);
+      m_partition.graph().concave_lengths());
   }
 
   // The fields of a part: the distances from each of its tips, which are selected by eq. (2) from the node
@@ -124,13 +124,13 @@ private:
     const Surface_part::Point_3 origin(0, 0, 0);
     Surface_part::Vector_3 moment(0, 0, 0);
     for (Index i : part)
-      moment += graph.area[i] * (graph.centre[i] - origin);
+      moment += graph.area[i] * (graph.centre_of(i) - origin);
     const Surface_part::Point_3 centre = part_area > 0 ? origin + moment / part_area : origin;
     return *std::min_element(part.begin(), part.end(),
                              [&](Index a, Index b)
                              {
-                               return squared_distance(graph.centre[a], centre) <
-                                      squared_distance(graph.centre[b], centre);
+                               return squared_distance(graph.centre_of(a), centre) <
+                                      squared_distance(graph.centre_of(b), centre);
                              });
   }
 

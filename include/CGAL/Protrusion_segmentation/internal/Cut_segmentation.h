@@ -303,7 +303,7 @@ private:
     const Nodes along_cut = m_fine.nodes_along_cut(parent, inner_faces).first;
     const Nodes order = m_fine.nodes_by_distance(
       along_cut, [&](Index i) { return m_fine.label(i) == parent && m_fine.is_inner(i); },
-      m_fine_graph.length);
+      m_fine_graph.lengths());
     protrusion.tip = m_monitor.position(order.back());
     protrusion.border_distance = m_fine.distance(order.back()) * unit;
     m_monitor.visitor().tip_found(protrusion.tip);

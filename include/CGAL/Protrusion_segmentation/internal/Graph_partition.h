@@ -63,12 +63,12 @@ public:
   }
 
   // Dijkstra's algorithm from several nodes over the nodes for which `is_inside` holds, up to `limit`, with
-  // the given lengths of the arcs. Returns the nodes in ascending order of their distances, equal ones in
+  // lengths `length(arc)`. Returns the nodes in ascending order of their distances, equal ones in
   // the order of their numbers.
-  template <typename IsInside>
+  template <typename IsInside, typename Length>
   Nodes nodes_by_distance(const Nodes& seeds,
                           IsInside is_inside,
-                          const std::vector<float>& lengths,
+                          Length length,
                           double limit = (std::numeric_limits<double>::infinity)())
   {
     Nodes order;
@@ -88,7 +88,7 @@ public:
       order.push_back(node);
       for (Index arc : m_graph.arcs(node))
         if (is_inside(m_graph.target[arc]))
-          offer(m_graph.target[arc], distance + lengths[arc]);
+          offer(m_graph.target[arc], distance + length(arc));
     }
     return order;
   }

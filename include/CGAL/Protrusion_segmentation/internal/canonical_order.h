@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CANONICAL_ORDER_H
 
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface_arrays.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -36,22 +37,32 @@ inline std::uint64_t z_order(const Surface_part::Point_3& p)
   return spread_bits(cell(p.x())) | spread_bits(cell(p.y())) << 1 | spread_bits(cell(p.z())) << 2;
 }
 
-// The faces in the order of their centroids on the Z-order curve. The stages work in this order, so that a tie
+inline Surface_part::Point_3 mean_of_corners(const Surface_arrays& surface, Surface_part::Index face)
+{
+  const Surface_part::Index first = surface.first_corner(face), end = surface.first_corner(face + 1);
+  const Surface_part::Point_3& origin = surface.point(surface.vertex(first));
+  Surface_part::Vector_3 sum(0, 0, 0);
+  for (Surface_part::Index c = first + 1; c < end; ++c)
+    sum += surface.point(surface.vertex(c)) - origin;
+  return origin + sum / static_cast<double>(end - first);
+}
+
+// The faces in the order of their centres on the Z-order curve. The stages work in this order, so that a tie
 // is decided by where a face is and not by its place in a file, sums are rounded alike, and neighbours on the
-// surface are near in memory. Only faces with the same centroid stay in the order of the mesh.
-inline std::vector<Surface_part::Index> canonical_order(const Surface_part& part)
+// surface are near in memory. Only faces with the same centre stay in the order of the mesh.
+inline std::vector<Surface_part::Index> canonical_order(const Surface_arrays& surface)
 {
   using Index = Surface_part::Index;
   std::vector<std::pair<std::uint64_t, Index>> places;
-  places.reserve(part.number_of_faces());
-  for (Index f = 0; f < part.number_of_faces(); ++f)
-    places.emplace_back(z_order(part.centroid(f)), f);
-  std::sort(places.begin(), places.end(), [&part](const auto& a, const auto& b)
+  places.reserve(surface.number_of_faces());
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    places.emplace_back(z_order(mean_of_corners(surface, f)), f);
+  std::sort(places.begin(), places.end(), [&surface](const auto& a, const auto& b)
             {
               if (a.first != b.first)
                 return a.first < b.first;
-              const Surface_part::Point_3& p = part.centroid(a.second);
-              const Surface_part::Point_3& q = part.centroid(b.second);
+              const Surface_part::Point_3 p = mean_of_corners(surface, a.second);
+              const Surface_part::Point_3 q = mean_of_corners(surface, b.second);
               return p != q ? p < q : a.second < b.second;
             });
   std::vector<Index> order;

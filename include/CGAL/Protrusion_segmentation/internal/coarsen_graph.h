@@ -8,6 +8,8 @@
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
 #include <CGAL/Protrusion_segmentation/internal/Seam_graph.h>
 
+#include <boost/range/iterator_range.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -78,39 +80,69 @@ inline std::pair<std::vector<Seam_graph::Index>, Seam_graph::Index> match_neighb
   return {number, count};
 }
 
-// The graph whose nodes are the sets of nodes with equal numbers. Border lengths and capacities add up.
-// Curvatures are averaged along the borders; lengths are those between the new centres.
-inline Seam_graph contract(const Seam_graph& graph,
-                           const std::vector<Seam_graph::Index>& number,
-                           Seam_graph::Index count)
+// The nodes by the number of the set that they are in: those of set u are nodes[first[u]] to
+// nodes[first[u + 1] - 1], in ascending order.
+struct Node_sets
+{
+  std::vector<Seam_graph::Index> first, nodes;
+
+  Node_sets(const std::vector<Seam_graph::Index>& number, Seam_graph::Index count)
+    : first(count + 1, 0), nodes(number.size())
+  {
+    using Index = Seam_graph::Index;
+    for (Index u : number)
+      ++first[u + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<Index> position(first.begin(), first.end() - 1);
+    for (Index i = 0; i < number.size(); ++i)
+      nodes[position[number[i]]++] = i;
+  }
+
+  boost::iterator_range<std::vector<Seam_graph::Index>::const_iterator> of(Seam_graph::Index u) const
+  {
+    return boost::make_iterator_range(nodes.begin() + first[u], nodes.begin() + first[u + 1]);
+  }
+  Seam_graph::Index number_of_sets() const { return static_cast<Seam_graph::Index>(first.size() - 1); }
+};
+
+inline void merge_nodes(const Seam_graph& graph, const Node_sets& sets, Seam_graph& result)
 {
   using Index = Seam_graph::Index;
-  using Vector_3 = Surface_part::Vector_3;
   const Surface_part::Point_3 origin(0, 0, 0);
-  Seam_graph result;
-  result.area.assign(count, 0);
-  std::vector<Vector_3> moment(count, Vector_3(0, 0, 0));
-  std::vector<Index> first_member(count + 1, 0), members(graph.number_of_nodes());
-  for (Index i = 0; i < graph.number_of_nodes(); ++i)
+  result.area.assign(sets.number_of_sets(), 0);
+  result.centre.reserve(sets.number_of_sets());
+  for (Index u = 0; u < sets.number_of_sets(); ++u)
   {
-    result.area[number[i]] += graph.area[i];
-    moment[number[i]] += graph.area[i] * (graph.centre[i] - origin);
-    ++first_member[number[i] + 1];
+    Surface_part::Vector_3 moment(0, 0, 0);
+    for (Index i : sets.of(u))
+    {
+      result.area[u] += graph.area[i];
+      moment += graph.area[i] * (graph.centre_of(i) - origin);
+    }
+    result.add_centre(result.area[u] > 0 ? origin + moment / result.area[u]
+                                         : graph.centre_of(sets.of(u).front()));
   }
-  std::partial_sum(first_member.begin(), first_member.end(), first_member.begin());
-  std::vector<Index> position(first_member.begin(), first_member.end() - 1);
-  for (Index i = 0; i < graph.number_of_nodes(); ++i)
-    members[position[number[i]]++] = i;
-  for (Index u = 0; u < count; ++u)
-    result.centre.push_back(result.area[u] > 0 ? origin + moment[u] / result.area[u]
-                                               : graph.centre[members[first_member[u]]]);
+}
 
-  std::vector<Index> arc_to(count, Surface_part::no_face()); // the arc to a node, if it leaves this node
-  for (Index u = 0; u < count; ++u)
+inline void merge_arcs(const Seam_graph& graph,
+                       const std::vector<Seam_graph::Index>& number,
+                       const Node_sets& sets,
+                       Seam_graph& result)
+{
+  using Index = Seam_graph::Index;
+  // more than needed, but memory that is not written to costs nothing, and growing would hold all twice
+  result.target.reserve(graph.target.size());
+  result.first_arc.reserve(sets.number_of_sets() + 1);
+  const auto sums = {&Seam_graph::border_length, &Seam_graph::concave_border, &Seam_graph::capacity,
+                     &Seam_graph::curvature};
+  for (auto sum : sums)
+    (result.*sum).reserve(graph.target.size());
+  std::vector<Index> arc_to(sets.number_of_sets(), Surface_part::no_face()); // if it leaves this node
+  for (Index u = 0; u < sets.number_of_sets(); ++u)
   {
     const Index begin = result.first_arc.back();
-    for (Index m = first_member[u]; m < first_member[u + 1]; ++m)
-      for (Index old : graph.arcs(members[m]))
+    for (Index i : sets.of(u))
+      for (Index old : graph.arcs(i))
       {
         const Index v = number[graph.target[old]];
         if (v == u)
@@ -120,10 +152,8 @@ inline Seam_graph contract(const Seam_graph& graph,
         {
           arc = static_cast<Index>(result.target.size());
           result.target.push_back(v);
-          result.border_length.push_back(0);
-          result.concave_border.push_back(0);
-          result.capacity.push_back(0);
-          result.curvature.push_back(0);
+          for (auto sum : sums)
+            (result.*sum).push_back(0);
         }
         result.border_length[arc] += graph.border_length[old];
         result.concave_border[arc] += graph.concave_border[old];
@@ -132,23 +162,35 @@ inline Seam_graph contract(const Seam_graph& graph,
       }
     result.first_arc.push_back(static_cast<Index>(result.target.size()));
   }
+}
+
+// The graph whose nodes are the `count` sets of nodes with equal numbers. Border lengths and capacities add
+// up. Curvatures are averaged along the borders; lengths are those between the new centres.
+inline Seam_graph contract(const Seam_graph& graph,
+                           const std::vector<Seam_graph::Index>& number,
+                           Seam_graph::Index count)
+{
+  using Index = Seam_graph::Index;
+  Seam_graph result;
+  result.length_of_angle = graph.length_of_angle;
+  const Node_sets sets(number, count);
+  merge_nodes(graph, sets, result);
+  merge_arcs(graph, number, sets, result);
+  result.length.reserve(result.target.size());
   for (Index u = 0; u < count; ++u)
     for (Index arc : result.arcs(u))
     {
-      const Vector_3 step = result.centre[result.target[arc]] - result.centre[u];
-      const double length = (std::max)(std::sqrt(step.squared_length()), 1e-9);
+      const Surface_part::Vector_3 step = result.centre_of(result.target[arc]) - result.centre_of(u);
+      result.length.push_back(static_cast<float>((std::max)(std::sqrt(step.squared_length()), 1e-9)));
       if (result.border_length[arc] > 0)
         result.curvature[arc] /= result.border_length[arc];
-      result.length.push_back(static_cast<float>(length));
-      result.concave_length.push_back(concave_length(length, result.curvature[arc]));
     }
-  find_opposite_arcs(result);
   return result;
 }
 
 // Contracts a graph to about `number_of_nodes` nodes of similar area that do not straddle seams: the
 // structure of a shape does not depend on how finely it is meshed, so the search for cuts need not either.
-inline Coarse_graph coarsen(Seam_graph graph, Seam_graph::Index number_of_nodes)
+inline Coarse_graph coarsen(const Seam_graph& graph, Seam_graph::Index number_of_nodes)
 {
   using Index = Seam_graph::Index;
   // twice the mean; larger nodes would hide narrow protrusions
@@ -158,19 +200,22 @@ inline Coarse_graph coarsen(Seam_graph graph, Seam_graph::Index number_of_nodes)
   Coarse_graph result;
   result.node.resize(graph.number_of_nodes());
   std::iota(result.node.begin(), result.node.end(), Index(0));
-  while (graph.number_of_nodes() > number_of_nodes)
+  const Seam_graph* current = &graph; // never a copy: it would be the largest array of a segmentation
+  while (current->number_of_nodes() > number_of_nodes)
   {
-    const Index before = graph.number_of_nodes();
-    const auto match = match_neighbors(graph, largest_area, before - number_of_nodes);
+    const Index before = current->number_of_nodes();
+    const auto match = match_neighbors(*current, largest_area, before - number_of_nodes);
     if (before - match.second < least_progress * before && before < 2 * number_of_nodes)
       break;
     if (match.second == before)
       break;
-    graph = contract(graph, match.first, match.second);
+    result.graph = contract(*current, match.first, match.second);
+    current = &result.graph;
     for (Index& node : result.node)
       node = match.first[node];
   }
-  result.graph = std::move(graph);
+  if (current == &graph)
+    result.graph = graph;
   return result;
 }
 

@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_EXTRACT_PART_H
 
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface_arrays.h>
 
 #include <cstddef>
 #include <utility>
@@ -15,6 +16,77 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
+// Chooses and orders faces of a surface, `Surface_part` or `Surface_arrays`. The work arrays, as long as the
+// surface, are kept between calls; a call takes time linear in the number of faces that it chooses.
+template <typename Surface>
+class Face_selector
+{
+public:
+  using Index = Surface_part::Index;
+
+  explicit Face_selector(const Surface& surface)
+    : m_surface(surface),
+      m_new_face(surface.number_of_faces(), none),
+      m_new_vertex(surface.number_of_vertices(), none)
+  {}
+
+  // The given faces, numbered in the given order; vertices are numbered as the faces need them. Calls
+  // `lost_neighbor(i)` for the i-th face for each neighbour that was not chosen.
+  template <typename LostNeighbor>
+  Surface_arrays operator()(const std::vector<Index>& faces, LostNeighbor lost_neighbor)
+  {
+    for (Index i = 0; i < faces.size(); ++i)
+      m_new_face[faces[i]] = i;
+    Surface_arrays result = reserved(faces);
+    std::vector<Index> vertices; // of the surface, in the order of the points
+    for (Index i = 0; i < faces.size(); ++i)
+    {
+      for (Index c = m_surface.first_corner(faces[i]); c < m_surface.first_corner(faces[i] + 1); ++c)
+      {
+        const Index v = m_surface.vertex(c);
+        if (m_new_vertex[v] == none)
+        {
+          m_new_vertex[v] = static_cast<Index>(vertices.size());
+          vertices.push_back(v);
+        }
+        result.corner_vertices.push_back(m_new_vertex[v]);
+        const Index g = m_surface.neighbor(c);
+        result.corner_neighbors.push_back(g == Surface_part::no_face() ? g : m_new_face[g]);
+        if (g != Surface_part::no_face() && m_new_face[g] == none)
+          lost_neighbor(i);
+      }
+      result.corner_begin.push_back(static_cast<Index>(result.corner_vertices.size()));
+    }
+    result.points.reserve(vertices.size());
+    for (Index v : vertices)
+      result.points.push_back(m_surface.point(v));
+    for (Index f : faces)
+      m_new_face[f] = none;
+    for (Index v : vertices)
+      m_new_vertex[v] = none;
+    return result;
+  }
+
+private:
+  static constexpr Index none = Surface_part::no_face();
+
+  Surface_arrays reserved(const std::vector<Index>& faces) const
+  {
+    std::size_t number_of_corners = 0;
+    for (Index f : faces)
+      number_of_corners += m_surface.first_corner(f + 1) - m_surface.first_corner(f);
+    Surface_arrays result;
+    result.corner_begin.reserve(faces.size() + 1);
+    result.corner_vertices.reserve(number_of_corners);
+    result.corner_neighbors.reserve(number_of_corners);
+    return result;
+  }
+
+  const Surface& m_surface;
+  std::vector<Index> m_new_face;
+  std::vector<Index> m_new_vertex;
+};
+
 // A segment as a surface of its own.
 struct Extracted_part
 {
@@ -23,68 +95,24 @@ struct Extracted_part
   std::vector<bool> is_on_cut;            // whether a face of the part lost a neighbour
 };
 
-// Cuts segments out of a surface. The work arrays, as long as the surface, are kept between calls; a call
-// takes time linear in the number of faces of the segment.
+// Cuts segments out of a surface.
 class Part_extractor
 {
 public:
   using Index = Surface_part::Index;
 
-  explicit Part_extractor(const Surface_part& surface)
-    : m_surface(surface),
-      m_new_face(surface.number_of_faces(), none),
-      m_new_vertex(surface.number_of_vertices(), none)
-  {}
+  explicit Part_extractor(const Surface_part& surface) : m_select(surface) {}
 
   // The part with the given faces, numbered in the given order.
   Extracted_part operator()(std::vector<Index> faces)
   {
-    for (Index i = 0; i < faces.size(); ++i)
-      m_new_face[faces[i]] = i;
-    std::vector<Surface_part::Point_3> points;
-    std::vector<Index> vertices; // of the surface, in the order of `points`
-    std::vector<Index> corner_begin(1, 0), corner_vertices, corner_neighbors;
     std::vector<bool> is_on_cut(faces.size(), false);
-    corner_begin.reserve(faces.size() + 1);
-    std::size_t number_of_corners = 0;
-    for (Index f : faces)
-      number_of_corners += m_surface.first_corner(f + 1) - m_surface.first_corner(f);
-    corner_vertices.reserve(number_of_corners);
-    corner_neighbors.reserve(number_of_corners);
-    for (Index i = 0; i < faces.size(); ++i)
-    {
-      for (Index c = m_surface.first_corner(faces[i]); c < m_surface.first_corner(faces[i] + 1); ++c)
-      {
-        const Index v = m_surface.vertex(c);
-        if (m_new_vertex[v] == none)
-        {
-          m_new_vertex[v] = static_cast<Index>(points.size());
-          points.push_back(m_surface.point(v));
-          vertices.push_back(v);
-        }
-        corner_vertices.push_back(m_new_vertex[v]);
-        const Index g = m_surface.neighbor(c);
-        corner_neighbors.push_back(g == Surface_part::no_face() ? g : m_new_face[g]);
-        if (g != Surface_part::no_face() && m_new_face[g] == none)
-          is_on_cut[i] = true;
-      }
-      corner_begin.push_back(static_cast<Index>(corner_vertices.size()));
-    }
-    for (Index f : faces)
-      m_new_face[f] = none;
-    for (Index v : vertices)
-      m_new_vertex[v] = none;
-    return {Surface_part(std::move(points), std::move(corner_begin), std::move(corner_vertices),
-                         std::move(corner_neighbors)),
-            std::move(faces), std::move(is_on_cut)};
+    Surface_arrays arrays = m_select(faces, [&is_on_cut](Index i) { is_on_cut[i] = true; });
+    return {std::move(arrays).to_part(), std::move(faces), std::move(is_on_cut)};
   }
 
 private:
-  static constexpr Index none = Surface_part::no_face();
-
-  const Surface_part& m_surface;
-  std::vector<Index> m_new_face;
-  std::vector<Index> m_new_vertex;
+  Face_selector<Surface_part> m_select;
 };
 
 } // namespace internal

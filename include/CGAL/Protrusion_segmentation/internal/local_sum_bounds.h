@@ -8,8 +8,6 @@
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
 #include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
 
-#include <boost/range/iterator_range.hpp>
-
 #include <algorithm>
 #include <cstddef>
 #include <utility>
@@ -37,7 +35,7 @@ public:
   using Index = Surface_part::Index;
 
   explicit Local_sum_bounds(const Surface_part& part)
-    : m_graph(part.dual_graph()),
+    : m_part(part),
       m_number_in_ball(part.number_of_faces(), Surface_part::no_face()),
       m_holder(part.number_of_faces())
   {}
@@ -115,11 +113,11 @@ private:
     std::vector<std::pair<Index, Index>> arcs;
     std::vector<Surface_part::Arc> properties;
     for (Index i = 0; i < m_ball.size(); ++i)
-      for (const auto arc : boost::make_iterator_range(out_edges(m_ball[i], m_graph)))
-        if (is_in_ball(target(arc, m_graph)))
+      for (Index c = m_part.first_corner(m_ball[i]); c < m_part.first_corner(m_ball[i] + 1); ++c)
+        if (const Index g = m_part.neighbor(c); g != Surface_part::no_face() && is_in_ball(g))
         {
-          arcs.emplace_back(i, m_number_in_ball[target(arc, m_graph)]);
-          properties.push_back(m_graph[arc]);
+          arcs.emplace_back(i, m_number_in_ball[g]);
+          properties.push_back({m_part.arc_length(m_ball[i], g)});
         }
     return Surface_part::Dual_graph(boost::edges_are_sorted, arcs.begin(), arcs.end(),
                                     properties.begin(), static_cast<Index>(m_ball.size()),
@@ -134,8 +132,7 @@ private:
                      IsCandidate is_candidate,
                      std::vector<double>& bounds)
   {
-    const Surface_part::Dual_graph graph = graph_of_ball();
-    Shortest_distances distances_in_ball(graph);
+    Shortest_distances distances_in_ball(graph_of_ball());
     const double n = static_cast<double>(m_number_in_ball.size());
     std::vector<double> distances;
     std::vector<bool> is_done(m_ball.size(), false);
@@ -158,7 +155,7 @@ private:
     }
   }
 
-  const Surface_part::Dual_graph& m_graph;
+  const Surface_part& m_part;
   std::vector<Index> m_ball;           // nearest first
   std::vector<Index> m_number_in_ball; // of every face
   std::vector<Index> m_holder;         // p(j) of every face j

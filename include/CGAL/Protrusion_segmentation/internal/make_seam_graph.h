@@ -66,18 +66,20 @@ inline Seam_graph make_seam_graph(const Surface_part& part, const Cut_ingredient
   const std::vector<Vector_3> normals = smooth_normals(part, Constants::normal_radius * unit);
 
   Seam_graph graph;
+  if (!ingredients.cost_of_seams)
+    graph.length_of_angle = 0;
   graph.first_arc.reserve(part.number_of_faces() + 1);
   for (std::vector<float>* weights :
-       {&graph.length, &graph.concave_length, &graph.curvature, &graph.border_length, &graph.concave_border,
-        &graph.capacity})
+       {&graph.length, &graph.curvature, &graph.border_length, &graph.concave_border, &graph.capacity})
     weights->reserve(part.number_of_corners());
   graph.target.reserve(part.number_of_corners());
-  graph.opposite.reserve(part.number_of_corners());
+  graph.area.reserve(part.number_of_faces());
+  graph.centre.reserve(part.number_of_faces());
   for (Index f = 0; f < part.number_of_faces(); ++f)
   {
     graph.area.push_back(part.area(f) / (unit * unit));
-    graph.centre.push_back(Surface_part::Point_3(0, 0, 0) +
-                           (part.centroid(f) - Surface_part::Point_3(0, 0, 0)) / unit);
+    graph.add_centre(Surface_part::Point_3(0, 0, 0) +
+                     (part.centroid(f) - Surface_part::Point_3(0, 0, 0)) / unit);
     for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
     {
       const Index g = part.neighbor(c);
@@ -92,8 +94,6 @@ inline Seam_graph make_seam_graph(const Surface_part& part, const Cut_ingredient
       const double curvature = is_concave ? strength : -strength;
       graph.target.push_back(g);
       graph.length.push_back(static_cast<float>(length));
-      graph.concave_length.push_back(
-        concave_length(length, ingredients.cost_of_seams ? curvature : 0));
       graph.curvature.push_back(static_cast<float>(curvature));
       graph.border_length.push_back(static_cast<float>(border));
       graph.concave_border.push_back(
@@ -103,7 +103,6 @@ inline Seam_graph make_seam_graph(const Surface_part& part, const Cut_ingredient
     }
     graph.first_arc.push_back(static_cast<Index>(graph.target.size()));
   }
-  find_opposite_arcs(graph);
   return graph;
 }
 

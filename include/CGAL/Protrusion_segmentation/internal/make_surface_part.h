@@ -6,7 +6,9 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MAKE_SURFACE_PART_H
 
 #include <CGAL/Protrusion_segmentation/Surface_part.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface_arrays.h>
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -19,6 +21,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -26,6 +29,11 @@ namespace Protrusion_segmentation {
 namespace internal {
 
 // A mesh as index arrays, and the factor that turns its lengths back into those of the mesh.
+struct Arrays_of_mesh
+{
+  Surface_arrays surface;
+  double unit = 1;
+};
 struct Surface_of_mesh
 {
   Surface_part surface;
@@ -36,36 +44,28 @@ struct Surface_of_mesh
 // factor back. A power of two changes no digit, so that a mesh scaled by two gives the same numbers.
 // The first scaling keeps the subtraction of coordinates near the largest double from overflowing. Only there
 // the result fills [-2, 2]^3: the factor 2^1024 would be no double.
-inline double normalize(std::vector<std::array<double, 3>>& points)
+inline double normalize(std::vector<Surface_part::Point_3>& points)
 {
   int exponent = 0;
   const auto scale_by_largest = [&points, &exponent]()
   {
     double largest = 0;
-    for (const std::array<double, 3>& p : points)
-      for (double x : p)
-        largest = (std::max)(largest, std::abs(x));
+    for (const Surface_part::Point_3& p : points)
+      largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
     int e = 0;
     std::frexp(largest, &e);
     e = (std::min)(e, std::numeric_limits<double>::max_exponent - 1 - exponent);
-    for (std::array<double, 3>& p : points)
-      for (double& x : p)
-        x = std::ldexp(x, -e);
+    for (Surface_part::Point_3& p : points)
+      p = {std::ldexp(p.x(), -e), std::ldexp(p.y(), -e), std::ldexp(p.z(), -e)};
     exponent += e;
   };
 
   scale_by_largest();
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    double low = 1, high = -1;
-    for (const std::array<double, 3>& p : points)
-    {
-      low = (std::min)(low, p[i]);
-      high = (std::max)(high, p[i]);
-    }
-    for (std::array<double, 3>& p : points)
-      p[i] -= (low + high) / 2;
-  }
+  const Bbox_3 box = bbox_3(points.begin(), points.end());
+  const Surface_part::Vector_3 centre((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
+                                      (box.zmin() + box.zmax()) / 2);
+  for (Surface_part::Point_3& p : points)
+    p = p - centre;
   scale_by_largest();
   return std::ldexp(1., exponent);
 }
@@ -73,11 +73,12 @@ inline double normalize(std::vector<std::array<double, 3>>& points)
 // Numbers the vertices that have a face, in the order of `vertices(mesh)`, and returns their coordinates.
 // Isolated vertices are no part of the surface: a far one would make the rest of the mesh tiny.
 template <typename FaceGraph, typename VertexPointMap, typename VertexNumbers>
-std::vector<std::array<double, 3>> read_points(const FaceGraph& mesh,
+std::vector<Surface_part::Point_3> read_points(const FaceGraph& mesh,
                                                VertexPointMap vpm,
                                                VertexNumbers& numbers)
 {
-  std::vector<std::array<double, 3>> points;
+  std::vector<Surface_part::Point_3> points;
+  points.reserve(num_vertices(mesh));
   std::size_t position = 0;
   for (const auto v : vertices(mesh))
   {
@@ -92,7 +93,7 @@ std::vector<std::array<double, 3>> read_points(const FaceGraph& mesh,
         throw std::invalid_argument("tmesh: vertex " + std::to_string(i) +
                                     " has a coordinate that is not finite");
     put(numbers, v, static_cast<Surface_part::Index>(points.size()));
-    points.push_back(xyz);
+    points.emplace_back(xyz[0], xyz[1], xyz[2]);
   }
   return points;
 }
@@ -104,7 +105,7 @@ typename boost::graph_traits<FaceGraph>::halfedge_descriptor first_halfedge(
   typename boost::graph_traits<FaceGraph>::face_descriptor f,
   const FaceGraph& mesh,
   const VertexNumbers& numbers,
-  const std::vector<std::array<double, 3>>& points)
+  const std::vector<Surface_part::Point_3>& points)
 {
   auto first = halfedge(f, mesh);
   for (const auto h : halfedges_around_face(first, mesh))
@@ -113,9 +114,9 @@ typename boost::graph_traits<FaceGraph>::halfedge_descriptor first_halfedge(
   return first;
 }
 
-// Builds the index arrays of a mesh: faces in the order of `faces(mesh)`. Linear time.
+// Reads the index arrays of a mesh: faces in the order of `faces(mesh)`. Linear time.
 template <typename FaceGraph, typename NamedParameters>
-Surface_of_mesh make_surface_part(const FaceGraph& mesh, const NamedParameters& np)
+Arrays_of_mesh read_arrays(const FaceGraph& mesh, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -126,7 +127,9 @@ Surface_of_mesh make_surface_part(const FaceGraph& mesh, const NamedParameters& 
   auto vertex_numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
   auto face_numbers = get(CGAL::dynamic_face_property_t<Index>(), mesh);
 
-  std::vector<std::array<double, 3>> points = read_points(mesh, vpm, vertex_numbers);
+  Arrays_of_mesh result;
+  Surface_arrays& arrays = result.surface;
+  arrays.points = read_points(mesh, vpm, vertex_numbers);
   Index number_of_faces = 0;
   std::size_t number_of_corners = 0;
   for (const auto f : faces(mesh))
@@ -137,33 +140,32 @@ Surface_of_mesh make_surface_part(const FaceGraph& mesh, const NamedParameters& 
   if (number_of_corners >= Surface_part::no_face())
     throw std::length_error("tmesh: more corners of faces than a 32 bit index can number");
 
-  std::vector<Index> corner_begin, corner_vertices, corner_neighbors;
-  corner_begin.reserve(number_of_faces + 1);
-  corner_vertices.reserve(number_of_corners);
-  corner_neighbors.reserve(number_of_corners);
+  arrays.corner_begin.reserve(number_of_faces + 1);
+  arrays.corner_vertices.reserve(number_of_corners);
+  arrays.corner_neighbors.reserve(number_of_corners);
   const auto null_face = boost::graph_traits<FaceGraph>::null_face();
   for (const auto f : faces(mesh))
   {
-    corner_begin.push_back(static_cast<Index>(corner_vertices.size()));
-    for (const auto h : halfedges_around_face(first_halfedge(f, mesh, vertex_numbers, points), mesh))
+    for (const auto h :
+         halfedges_around_face(first_halfedge(f, mesh, vertex_numbers, arrays.points), mesh))
     {
       const auto g = face(opposite(h, mesh), mesh);
-      corner_vertices.push_back(get(vertex_numbers, source(h, mesh)));
-      corner_neighbors.push_back(g == null_face || g == f ? Surface_part::no_face()
-                                                          : get(face_numbers, g));
+      arrays.corner_vertices.push_back(get(vertex_numbers, source(h, mesh)));
+      arrays.corner_neighbors.push_back(g == null_face || g == f ? Surface_part::no_face()
+                                                                 : get(face_numbers, g));
     }
+    arrays.corner_begin.push_back(static_cast<Index>(arrays.corner_vertices.size()));
   }
-  corner_begin.push_back(static_cast<Index>(corner_vertices.size()));
-
-  Surface_of_mesh result;
-  result.unit = normalize(points);
-  std::vector<Surface_part::Point_3> cartesian;
-  cartesian.reserve(points.size());
-  for (const std::array<double, 3>& p : points)
-    cartesian.emplace_back(p[0], p[1], p[2]);
-  result.surface = Surface_part(std::move(cartesian), std::move(corner_begin),
-                                std::move(corner_vertices), std::move(corner_neighbors));
+  result.unit = normalize(arrays.points);
   return result;
+}
+
+// A mesh as a surface, faces in the order of `faces(mesh)`. Linear time.
+template <typename FaceGraph, typename NamedParameters>
+Surface_of_mesh make_surface_part(const FaceGraph& mesh, const NamedParameters& np)
+{
+  Arrays_of_mesh arrays = read_arrays(mesh, np);
+  return {std::move(arrays.surface).to_part(), arrays.unit};
 }
 
 } // namespace internal

@@ -158,11 +158,11 @@ inline Graph_partition::Nodes refine_cut(Graph_partition& partition,
   if (inside.empty())
     return inner;
   Nodes nodes;
-  const Nodes inner_order = partition.nodes_by_distance(inside, on_side(true), graph.concave_length);
+  const Nodes inner_order = partition.nodes_by_distance(inside, on_side(true), graph.concave_lengths());
   const double inner_width = band.inner * partition.distance(inner_order.back());
   for (std::size_t i = 0; i < inner_order.size() && partition.distance(inner_order[i]) <= inner_width; ++i)
     nodes.push_back(inner_order[i]);
-  const Nodes outer_order = partition.nodes_by_distance(outside, on_side(false), graph.concave_length,
+  const Nodes outer_order = partition.nodes_by_distance(outside, on_side(false), graph.concave_lengths(),
                                                         band.outer * inner_width);
   const double outer_width =
     (std::min)(band.outer * inner_width, band.outermost * partition.distance(outer_order.back()));

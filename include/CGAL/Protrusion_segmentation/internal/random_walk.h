@@ -51,7 +51,7 @@ inline Random_walk make_random_walk(const Surface_part& part)
     for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
       if (const Index g = part.neighbor(c); g != Surface_part::no_face())
       {
-        const double length = std::sqrt(squared_distance(part.centroid(f), part.centroid(g)));
+        const double length = part.arc_length(f, g);
         const double weight =
           ratio((std::max)(part.edge_length(f, c), shortest), (std::max)(length, shortest));
         weights.emplace_back(f, g, -weight);

@@ -29,7 +29,6 @@ inline Section_plane plane_of_slot(const Surface_part& part,
 {
   using Index = Surface_part::Index;
   using Vector_3 = Surface_part::Vector_3;
-  const Surface_part::Dual_graph& graph = part.dual_graph();
   Vector_3 centre(0, 0, 0), growth(0, 0, 0);
   double area = 0;
   const Surface_part::Point_3 origin(0, 0, 0);
@@ -37,10 +36,10 @@ inline Section_plane plane_of_slot(const Surface_part& part,
   {
     area += part.area(f);
     centre += part.area(f) * (part.centroid(f) - origin);
-    for (const auto arc : boost::make_iterator_range(out_edges(f, graph)))
+    for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
     {
-      const Index g = target(arc, graph);
-      const double length = graph[arc].length;
+      const Index g = part.neighbor(c);
+      const double length = g == Surface_part::no_face() ? 0 : part.arc_length(f, g);
       if (length > 0)
         growth += (part.area(f) * (distances[g] - distances[f]) / (length * length)) *
                   (part.centroid(g) - part.centroid(f));

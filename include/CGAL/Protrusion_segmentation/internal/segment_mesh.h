@@ -104,36 +104,39 @@ void write_borders(const FaceGraph& mesh,
 // A mesh as index arrays, whose results do not depend on the order of its faces.
 struct Canonical_surface
 {
+  using Index = Surface_part::Index;
+
   Surface_part part;
-  std::vector<Surface_part::Index> position; // in `faces(mesh)` of every face of the part
+  std::vector<Index> position; // in `faces(mesh)` of every face of the part
   double unit;                               // what turns lengths back into those of the mesh
 
   template <typename FaceGraph, typename NamedParameters>
   Canonical_surface(const FaceGraph& mesh, const NamedParameters& np)
   {
-    const Surface_of_mesh input = make_surface_part(mesh, np);
+    Arrays_of_mesh input = read_arrays(mesh, np);
     unit = input.unit;
-    Extracted_part ordered = Part_extractor(input.surface)(canonical_order(input.surface));
-    part = std::move(ordered.part);
-    position = std::move(ordered.faces);
+    position = canonical_order(input.surface);
+    Surface_arrays ordered = Face_selector<Surface_arrays>(input.surface)(position, [](Index) {});
+    input.surface = {}; // before memory is needed for more
+    part = std::move(ordered).to_part();
   }
 
   // The faces of the part for faces given by their positions.
-  std::vector<Surface_part::Index> faces_at(const std::vector<Surface_part::Index>& positions) const
+  std::vector<Index> faces_at(const std::vector<Index>& positions) const
   {
-    std::vector<Surface_part::Index> face(position.size()), result;
-    for (Surface_part::Index f = 0; f < position.size(); ++f)
+    std::vector<Index> face(position.size()), result;
+    for (Index f = 0; f < position.size(); ++f)
       face[position[f]] = f;
-    for (Surface_part::Index p : positions)
+    for (Index p : positions)
       result.push_back(face[p]);
     return result;
   }
 
   // Values of the faces of the part in the order of the mesh.
-  std::vector<Surface_part::Index> in_order_of_mesh(const std::vector<Surface_part::Index>& values) const
+  std::vector<Index> in_order_of_mesh(const std::vector<Index>& values) const
   {
-    std::vector<Surface_part::Index> result(values.size());
-    for (Surface_part::Index f = 0; f < values.size(); ++f)
+    std::vector<Index> result(values.size());
+    for (Index f = 0; f < values.size(); ++f)
       result[position[f]] = values[f];
     return result;
   }

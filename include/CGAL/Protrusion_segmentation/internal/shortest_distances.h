@@ -13,6 +13,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -47,19 +49,17 @@ public:
 
   explicit Shortest_distances(const Surface_part& part) : Shortest_distances(part.dual_graph()) {}
 
-  // `graph` must outlive the object
-  explicit Shortest_distances(const Graph& graph) : m_graph(graph)
+  explicit Shortest_distances(Graph graph) : m_graph(std::make_shared<const Graph>(std::move(graph)))
   {
     double sum = 0, longest = 0;
-    const auto lengths = get(&Surface_part::Arc::length, m_graph);
-    for (const auto arc : boost::make_iterator_range(edges(m_graph)))
+    for (const auto arc : boost::make_iterator_range(edges(*m_graph)))
     {
-      sum += get(lengths, arc);
-      longest = (std::max)(longest, get(lengths, arc));
+      sum += (*m_graph)[arc].length;
+      longest = (std::max)(longest, (*m_graph)[arc].length);
     }
     if (sum > 0)
     {
-      const double mean = sum / static_cast<double>(num_edges(m_graph));
+      const double mean = sum / static_cast<double>(num_edges(*m_graph));
       m_buckets_per_unit = 1 / mean;
       // An arc ends at most longest / mean + 1 buckets further, and one more where rounding moves its ends
       // to different sides of a bucket's limit. The ring must be longer than that.
@@ -72,7 +72,7 @@ public:
   void operator()(Index source, std::vector<double>& distances, double bound = unreachable())
   {
     ++m_number_of_runs;
-    distances.assign(num_vertices(m_graph), unreachable());
+    distances.assign(num_vertices(*m_graph), unreachable());
     m_tree.order.clear();
     if (m_buckets.empty())
       run_boost(source, distances);
@@ -95,10 +95,10 @@ private:
   void run_boost(Index source, std::vector<double>& distances)
   {
     boost::dijkstra_shortest_paths_no_color_map(
-      m_graph, source,
-      boost::weight_map(get(&Surface_part::Arc::length, m_graph))
+      *m_graph, source,
+      boost::weight_map(get(&Surface_part::Arc::length, *m_graph))
         .distance_map(boost::make_iterator_property_map(distances.begin(),
-                                                        get(boost::vertex_index, m_graph))));
+                                                        get(boost::vertex_index, *m_graph))));
     m_number_of_scanned_faces += distances.size();
   }
 
@@ -142,10 +142,10 @@ private:
   {
     m_tree.order.push_back(face);
     std::size_t taken = 0;
-    for (const auto arc : boost::make_iterator_range(out_edges(face, m_graph)))
+    for (const auto arc : boost::make_iterator_range(out_edges(face, *m_graph)))
     {
-      const double distance = distances[face] + m_graph[arc].length;
-      const Index neighbor = target(arc, m_graph);
+      const double distance = distances[face] + (*m_graph)[arc].length;
+      const Index neighbor = target(arc, *m_graph);
       if (distance < distances[neighbor] && distance <= bound)
       {
         distances[neighbor] = distance;
@@ -157,7 +157,7 @@ private:
     return taken;
   }
 
-  const Graph& m_graph;
+  std::shared_ptr<const Graph> m_graph; // shared by copies, one for each thread
   double m_buckets_per_unit = 0;
   std::vector<std::vector<Index>> m_buckets;
   Shortest_path_tree m_tree;

@@ -17,16 +17,20 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// Diffuses values on the faces: solves (M + time * L) x = M x_0, where M holds the areas and L is the
-// finite-volume Laplacian of the face dual graph, by conjugate gradients with a diagonal preconditioner.
-// On a mesh of N faces that needs about sqrt(time * N / area) iterations, each linear.
+// Diffuses vectors on the faces: solves (M + time * L) x = M x_0 for each coordinate, where M holds the areas
+// and L is the finite-volume Laplacian of the face dual graph, by conjugate gradients with a diagonal
+// preconditioner. On a mesh of N faces that needs about sqrt(time * N / area) iterations, each linear.
+//
+// The three systems are solved side by side, since an iteration waits for memory more than it computes.
 class Diffusion
 {
 public:
   using Index = Surface_part::Index;
-  using Values = std::vector<double>;
+  using Triple = std::array<double, 3>;
+  using Values = std::vector<Triple>;
 
-  Diffusion(const Surface_part& part, double time) : m_part(part), m_diagonal(part.number_of_faces())
+  Diffusion(const Surface_part& part, double time)
+    : m_part(part), m_diagonal(part.number_of_faces()), m_preconditioner(part.number_of_faces())
   {
     // slivers: centroids that nearly coincide would make a huge weight and a slow solver
     const double mean_edge = std::sqrt(part.area() / (std::max)(part.number_of_faces(), Index(1)));
@@ -38,12 +42,12 @@ public:
       for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
         if (part.neighbor(c) != Surface_part::no_face())
         {
-          const double distance =
-            std::sqrt(squared_distance(part.centroid(f), part.centroid(part.neighbor(c))));
+          const double distance = part.arc_length(f, part.neighbor(c));
           m_weights[c] = static_cast<float>(time * part.edge_length(f, c) /
                                             (std::max)(distance, shortest));
           m_diagonal[f] += m_weights[c];
         }
+      m_preconditioner[f] = 1 / m_diagonal[f];
     }
   }
 
@@ -52,36 +56,24 @@ public:
   {
     constexpr double tolerance = 1e-4; // relative residual; normals need no more
     constexpr int max_iterations = 200;
-    const std::size_t n = x.size();
-    m_residual.resize(n);
-    m_direction.resize(n);
-    m_product.resize(n);
-    double right_hand_side = 0;
-    multiply(x, m_product);
-    for (Index f = 0; f < n; ++f)
+    const Triple right_hand_side = start(x);
+    Triple rho = advance({0, 0, 0}, x);
+    const auto is_solved = [&](int i) { return !(rho[i] > tolerance * tolerance * right_hand_side[i]); };
+    for (int iteration = 0; iteration < max_iterations; ++iteration)
     {
-      const double b = mass(f) * x[f];
-      m_residual[f] = b - m_product[f];
-      m_direction[f] = m_residual[f] / m_diagonal[f];
-      right_hand_side += b * b / m_diagonal[f];
-    }
-    double rho = preconditioned_norm();
-    for (int i = 0; i < max_iterations && rho > tolerance * tolerance * right_hand_side; ++i)
-    {
-      multiply(m_direction, m_product);
-      double curvature = 0;
-      for (std::size_t f = 0; f < n; ++f)
-        curvature += m_direction[f] * m_product[f];
-      const double step = rho / curvature;
-      for (std::size_t f = 0; f < n; ++f)
-      {
-        x[f] += step * m_direction[f];
-        m_residual[f] -= step * m_product[f];
-      }
-      const double next_rho = preconditioned_norm();
-      for (std::size_t f = 0; f < n; ++f)
-        m_direction[f] = m_residual[f] / m_diagonal[f] + (next_rho / rho) * m_direction[f];
-      rho = next_rho;
+      if (is_solved(0) && is_solved(1) && is_solved(2))
+        return;
+      const Triple curvature = multiply(m_direction, m_product);
+      Triple step, share;
+      for (int i = 0; i < 3; ++i)
+        step[i] = is_solved(i) ? 0 : rho[i] / curvature[i];
+      const Triple before = rho;
+      rho = advance(step, x);
+      for (int i = 0; i < 3; ++i)
+        share[i] = before[i] > 0 ? rho[i] / before[i] : 0;
+      for (Index f = 0; f < x.size(); ++f)
+        for (int i = 0; i < 3; ++i)
+          m_direction[f][i] = m_residual[f][i] * m_preconditioner[f] + share[i] * m_direction[f][i];
     }
   }
 
@@ -91,28 +83,64 @@ private:
   {
     return m_part.area(f) + 1e-9 * m_part.area() / m_part.number_of_faces();
   }
-  double preconditioned_norm() const
+
+  // Residuals and first directions; returns the norms of the right hand sides.
+  Triple start(const Values& x)
   {
-    double sum = 0;
-    for (std::size_t f = 0; f < m_residual.size(); ++f)
-      sum += m_residual[f] * m_residual[f] / m_diagonal[f];
-    return sum;
+    m_residual.resize(x.size());
+    m_direction.resize(x.size());
+    m_product.resize(x.size());
+    multiply(x, m_product);
+    Triple norms = {0, 0, 0};
+    for (Index f = 0; f < x.size(); ++f)
+      for (int i = 0; i < 3; ++i)
+      {
+        const double b = mass(f) * x[f][i];
+        m_residual[f][i] = b - m_product[f][i];
+        m_direction[f][i] = m_residual[f][i] * m_preconditioner[f];
+        norms[i] += b * b * m_preconditioner[f];
+      }
+    return norms;
   }
-  void multiply(const Values& x, Values& result) const
+
+  // Goes `step` along the direction; returns the norms of the new residuals.
+  Triple advance(const Triple& step, Values& x)
   {
+    Triple sums = {0, 0, 0};
+    for (std::size_t f = 0; f < x.size(); ++f)
+      for (int i = 0; i < 3; ++i)
+      {
+        x[f][i] += step[i] * m_direction[f][i];
+        m_residual[f][i] -= step[i] * m_product[f][i];
+        sums[i] += m_residual[f][i] * m_residual[f][i] * m_preconditioner[f];
+      }
+    return sums;
+  }
+
+  // Returns the scalar products of the values with the result.
+  Triple multiply(const Values& x, Values& result) const
+  {
+    Triple sums = {0, 0, 0};
     for (Index f = 0; f < m_part.number_of_faces(); ++f)
     {
-      double sum = m_diagonal[f] * x[f];
+      Triple row;
+      for (int i = 0; i < 3; ++i)
+        row[i] = m_diagonal[f] * x[f][i];
       for (Index c = m_part.first_corner(f); c < m_part.first_corner(f + 1); ++c)
         if (m_part.neighbor(c) != Surface_part::no_face())
-          sum -= m_weights[c] * x[m_part.neighbor(c)];
-      result[f] = sum;
+          for (int i = 0; i < 3; ++i)
+            row[i] -= m_weights[c] * x[m_part.neighbor(c)][i];
+      result[f] = row;
+      for (int i = 0; i < 3; ++i)
+        sums[i] += x[f][i] * row[i];
     }
+    return sums;
   }
 
   const Surface_part& m_part;
-  Values m_diagonal, m_residual, m_direction, m_product;
-  std::vector<float> m_weights; // of every corner's edge
+  std::vector<double> m_diagonal, m_preconditioner; // each other's inverse
+  std::vector<float> m_weights;                     // of every corner's edge
+  Values m_residual, m_direction, m_product;
 };
 
 // Unit normals of the faces, averaged over about `radius` on the surface. A face whose average vanishes gets
@@ -124,26 +152,27 @@ inline std::vector<Surface_part::Vector_3> smooth_normals(const Surface_part& pa
   // Two steps of diffusion have together the variance of the mean over a disc of that radius.
   constexpr int steps = 2;
   const double time = radius * radius / (8 * steps);
-  Diffusion diffuse(part, time);
-  std::array<std::vector<double>, 3> coordinates;
-  for (int i = 0; i < 3; ++i)
-    coordinates[i].assign(part.number_of_faces(), 0);
+  Diffusion::Values normals(part.number_of_faces(), {0, 0, 0});
   for (Index f = 0; f < part.number_of_faces(); ++f)
     if (part.area(f) > 0)
-      for (int i = 0; i < 3; ++i)
-        coordinates[i][f] = part.area_vector(f)[i] / part.area(f);
-  for (int i = 0; i < 3; ++i)
-    for (int step = 0; step < steps; ++step)
-      diffuse(coordinates[i]);
-  std::vector<Vector_3> normals;
-  normals.reserve(part.number_of_faces());
-  for (Index f = 0; f < part.number_of_faces(); ++f)
+    {
+      const Vector_3 normal = part.area_vector(f);
+      normals[f] = {normal.x() / part.area(f), normal.y() / part.area(f), normal.z() / part.area(f)};
+    }
   {
-    const Vector_3 normal(coordinates[0][f], coordinates[1][f], coordinates[2][f]);
-    const double length = std::sqrt(normal.squared_length());
-    normals.push_back(length > 0 ? normal / length : Vector_3(0, 0, 0));
+    Diffusion diffuse(part, time);
+    for (int step = 0; step < steps; ++step)
+      diffuse(normals);
   }
-  return normals;
+  std::vector<Vector_3> result;
+  result.reserve(part.number_of_faces());
+  for (const Diffusion::Triple& normal : normals)
+  {
+    const Vector_3 vector(normal[0], normal[1], normal[2]);
+    const double length = std::sqrt(vector.squared_length());
+    result.push_back(length > 0 ? vector / length : Vector_3(0, 0, 0));
+  }
+  return result;
 }
 
 } // namespace internal

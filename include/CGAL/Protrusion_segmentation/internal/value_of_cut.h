@@ -39,7 +39,7 @@ inline double widening(Graph_partition& partition,
     along_cut,
     [&](Seam_graph::Index i)
     { return partition.label(i) == part_label && partition.is_inner(i) == side; },
-    partition.graph().length, width);
+    partition.graph().lengths(), width);
   return partition.area(strip) / (cut_length * width);
 }
 
