@@ -85,7 +85,10 @@ int main(int argc, char* argv[])
 {
   Mesh mesh;
   if (argc != 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh))
+  {
+    std::cerr << "protrusion_distance_example: needs a mesh and the name of a .seg file" << std::endl;
     return EXIT_FAILURE;
+  }
   const std::size_t k = 7;
   const CGAL::Protrusion_segmentation::Histogram_border border;
   auto usual = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:usual").first;
