@@ -2,12 +2,21 @@
 //
 // The pruned search for the face of eq. (1) finds the face that all pairs find, ties included, for
 // a handful of distance computations.
+//
+// With PRINCETON_FOLDER, the folder with off/<model>.off, on ten models of that benchmark as well.
 
 #include "check.h"
 #include "surface_parts.h"
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/segment_mesh.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+
+#include <cstdlib>
+#include <filesystem>
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
@@ -19,13 +28,17 @@ std::size_t runs_of_search(const Surface_part& part)
   return distances.number_of_runs();
 }
 
-void check_same_face(const Test_mesh& mesh)
+void check_same_face(const Surface_part& part)
 {
-  const Surface_part part = to_surface_part(mesh);
   internal::Shortest_distances distances(part);
   const Index expected = internal::largest_distance_sum_of_all_pairs(part, distances);
   CHECK_EQUAL(distances.number_of_runs(), part.number_of_faces());
   CHECK_EQUAL(Geodesic_distance().on(part, 0).face_of_largest_sum(), expected);
+}
+
+void check_same_face(const Test_mesh& mesh)
+{
+  check_same_face(to_surface_part(mesh));
 }
 
 void all_pairs_take_the_lowest_of_the_largest_sums()
@@ -94,6 +107,26 @@ void few_runs_on_large_meshes()
   check_runs(capsule_with_ball(), 138);
 }
 
+// The smallest files: all pairs take a second for a model of 5,000 faces and four times that for twice as many.
+void same_face_as_all_pairs_on_models(const std::filesystem::path& folder)
+{
+  std::vector<std::pair<std::uintmax_t, std::filesystem::path>> files;
+  for(const auto& entry : std::filesystem::directory_iterator(folder / "off"))
+    files.emplace_back(entry.file_size(), entry.path());
+  std::sort(files.begin(), files.end());
+  CHECK(files.size() >= 10);
+  files.resize(std::min<std::size_t>(files.size(), 10));
+  for(const auto& [size, file] : files)
+  {
+    CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
+    CHECK(CGAL::IO::read_polygon_mesh(file.string(), mesh));
+    const internal::Canonical_surface surface(mesh, CGAL::parameters::default_values());
+    std::cout << file.filename().string() << ", ";
+    std::cout << surface.part.number_of_faces() << " faces: " << runs_of_search(surface.part) << " runs\n";
+    check_same_face(surface.part);
+  }
+}
+
 int main()
 {
   all_pairs_take_the_lowest_of_the_largest_sums();
@@ -101,5 +134,7 @@ int main()
   same_face_as_all_pairs_where_sums_tie();
   faces_in_one_point_need_one_run();
   few_runs_on_large_meshes();
+  if(const char* folder = std::getenv("PRINCETON_FOLDER"))
+    same_face_as_all_pairs_on_models(folder);
   return check::result();
 }
