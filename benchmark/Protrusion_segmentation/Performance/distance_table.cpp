@@ -6,9 +6,12 @@
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/Heat_distance.h>
 #include <CGAL/protrusion_segmentation.h>
+#include <CGAL/subdivision_method_3.h>
 
 #include <functional>
 #include <iostream>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -67,29 +70,80 @@ Measurement measure(const Model& model, const Distance& distance, std::size_t re
   return {seconds, counter.runs};
 }
 
-// A line for a distance, with the seconds that the paper gives for it. `distance_for` makes it for a model.
-template <typename Distance_for>
-void print_row(const Markdown_table& table, const std::vector<Model>& models, const std::string& name,
-               Distance_for distance_for, const std::vector<double>& published,
-               const std::vector<double>& ours, std::size_t repetitions)
+// A line of the table: a distance, and the seconds that the paper gives for it.
+struct Row
 {
-  std::vector<std::string> cells(1, name);
-  for(std::size_t i = 0; i < models.size(); ++i)
-  {
-    const Measurement measurement = measure(models[i], distance_for(models[i]), repetitions);
-    cells.push_back(number(measurement.seconds));
-    cells.push_back(std::to_string(measurement.runs));
-    cells.push_back(number(measurement.seconds / ours[i]));
-    cells.push_back(published.empty() ? "" : number(published[i]));
-  }
-  table.row(cells);
+  std::string name;
+  std::function<Measurement(const Model&, std::size_t)> measure; // with so many repetitions
+  std::vector<double> published;
+  bool is_for_large_meshes;
+};
+
+// `distance_for` makes the distance for a model.
+template <typename Distance_for>
+Row row_for(const std::string& name, Distance_for distance_for, const std::vector<double>& published,
+            bool is_for_large_meshes)
+{
+  return {name,
+          [distance_for](const Model& model, std::size_t repetitions)
+          { return measure(model, distance_for(model), repetitions); },
+          published, is_for_large_meshes};
 }
 
 // The same distance for all models.
 template <typename Distance>
-auto always(const Distance& distance)
+Row row(const std::string& name, const Distance& distance, const std::vector<double>& published,
+        bool is_for_large_meshes)
 {
-  return [distance](const Model&) { return distance; };
+  return row_for(name, [distance](const Model&) { return distance; }, published, is_for_large_meshes);
+}
+
+std::vector<Row> rows()
+{
+  return {row("GD, all pairs", All_pairs_distance(), {12.9, 850.5}, false),
+          row("LGD(1)", PS::Landmark_geodesic_distance(0.01), {0.44, 32.9}, true),
+          row("LGD(5)", PS::Landmark_geodesic_distance(0.05), {0.96, 68.2}, false),
+          row("LGD(10)", PS::Landmark_geodesic_distance(0.1), {1.67, 135.4}, false),
+          row("GD, ours", PS::Geodesic_distance(), {}, true),
+          row("DD(5)", PS::Diffusion_distance(5), {17.7, 105.4}, true),
+          row("DD(10)", PS::Diffusion_distance(10), {18.3, 106.3}, true),
+          row_for("DD(k)",
+                  [](const Model& model) { return PS::Diffusion_distance(model.number_of_segments); },
+                  {17.4, 105.8}, true),
+          row("heat", PS::Heat_distance(), {}, true)};
+}
+
+// Of the paper's models and of a large one.
+void print_rows(const std::vector<Model>& models, bool are_large, std::size_t repetitions)
+{
+  std::vector<std::string> header(1, "distance");
+  std::vector<double> ours;
+  for(const Model& model : models)
+  {
+    const std::string name = "model " + std::to_string(model.number) + " (" +
+                             std::to_string(model.mesh.number_of_faces()) + " faces)";
+    header.insert(header.end(), {name + " [s]", "runs", "ratio to ours"});
+    if(!are_large)
+      header.push_back("paper [s]");
+    ours.push_back(measure(model, PS::Geodesic_distance(), repetitions).seconds);
+  }
+  const Markdown_table table(header);
+  for(const Row& row : rows())
+  {
+    if(are_large && !row.is_for_large_meshes)
+      continue;
+    std::vector<std::string> cells(1, row.name);
+    for(std::size_t i = 0; i < models.size(); ++i)
+    {
+      const bool is_slow = !row.is_for_large_meshes || are_large;
+      const Measurement measurement = row.measure(models[i], is_slow ? 1 : repetitions);
+      cells.insert(cells.end(), {number(measurement.seconds), std::to_string(measurement.runs),
+                                 number(measurement.seconds / ours[i])});
+      if(!are_large)
+        cells.push_back(row.published.empty() ? "" : number(row.published[i]));
+    }
+    table.row(cells);
+  }
 }
 
 } // namespace
@@ -99,28 +153,10 @@ void print_distance_table(const Options& options, const Benchmark_folder& folder
   std::cout << "## 1. The paper's method with each distance (Table II)\n\n"
             << "Seconds of the whole segmentation, and distance computations. Goal: the exact face "
                "of eq. (1) in less time than LGD(1).\n\n";
-  std::vector<Model> models;
-  std::vector<std::string> header(1, "distance");
-  std::vector<double> ours;
-  for(const int number : {125, 393})
-  {
-    models.push_back(folder.read_model(number));
-    const std::string name = "model " + std::to_string(number) + " (" +
-                             std::to_string(models.back().mesh.number_of_faces()) + " faces)";
-    header.insert(header.end(), {name + " [s]", "runs", "ratio to ours", "paper [s]"});
-    ours.push_back(measure(models.back(), PS::Geodesic_distance(), options.repetitions).seconds);
-  }
-  const Markdown_table table(header);
-  const std::size_t n = options.repetitions;
-  print_row(table, models, "GD, all pairs", always(All_pairs_distance()), {12.9, 850.5}, ours, 1);
-  print_row(table, models, "LGD(1)", always(PS::Landmark_geodesic_distance(0.01)), {0.44, 32.9}, ours, n);
-  print_row(table, models, "LGD(5)", always(PS::Landmark_geodesic_distance(0.05)), {0.96, 68.2}, ours, n);
-  print_row(table, models, "LGD(10)", always(PS::Landmark_geodesic_distance(0.1)), {1.67, 135.4}, ours, n);
-  print_row(table, models, "GD, ours", always(PS::Geodesic_distance()), {}, ours, n);
-  print_row(table, models, "DD(5)", always(PS::Diffusion_distance(5)), {17.7, 105.4}, ours, n);
-  print_row(table, models, "DD(10)", always(PS::Diffusion_distance(10)), {18.3, 106.3}, ours, n);
-  print_row(table, models, "DD(k)",
-            [](const Model& model) { return PS::Diffusion_distance(model.number_of_segments); },
-            {17.4, 105.8}, ours, n);
-  print_row(table, models, "heat", always(PS::Heat_distance()), {}, ours, n);
+  print_rows({folder.read_model(125), folder.read_model(393)}, false, options.repetitions);
+  Model large = folder.read_model(options.large_model);
+  CGAL::Subdivision_method_3::Loop_subdivision(large.mesh, CGAL::parameters::number_of_iterations(1));
+  std::cout << "\nA large mesh, model " << options.large_model
+            << " subdivided once by Loop's rule, without the distances that take longest; one repetition:\n\n";
+  print_rows({large}, true, 1);
 }

@@ -23,6 +23,7 @@ struct Options
   std::string methods = "Minimum-cut,Paper-GD";
   std::vector<int> tables = {1, 2, 3, 4, 5};
   std::size_t repetitions = 3;
+  int large_model = 282; // 195,768 faces when subdivided
   int growth_model = 90;
   std::size_t largest_growth = 4100000;
   std::size_t threads = 2;

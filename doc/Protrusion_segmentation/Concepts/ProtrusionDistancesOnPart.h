@@ -32,6 +32,18 @@ public:
   void operator()(CGAL::Protrusion_segmentation::Surface_part::Index source, std::vector<double>& distances);
 
   /*!
+  computes the distances from a face up to a bound.
+
+  Optional: without it, all distances are computed where only those inside a border are needed.
+
+  \param source the face
+  \param distances is resized to the number of faces and filled as above; distances above `bound` may be infinite
+  \param bound the largest distance of interest
+  */
+  void operator()(CGAL::Protrusion_segmentation::Surface_part::Index source, std::vector<double>& distances,
+                  double bound);
+
+  /*!
   \return from how many faces distances were computed so far, for the report to the visitor
   */
   std::size_t number_of_runs() const;

@@ -17,12 +17,35 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
+
+template <typename Distances, typename = void>
+struct Has_bounded_distances : std::false_type {};
+
+template <typename Distances>
+struct Has_bounded_distances<Distances,
+                             std::void_t<decltype(std::declval<Distances&>()(
+                               Surface_part::Index(), std::declval<std::vector<double>&>(), 0.))>>
+  : std::true_type {};
+
+// The distances of the faces up to `bound`; the others, if they are not computed, are larger.
+template <typename Distances>
+void distances_up_to(double bound,
+                     Surface_part::Index source,
+                     Distances& distances,
+                     std::vector<double>& result)
+{
+  if constexpr (Has_bounded_distances<Distances>::value)
+    distances(source, result, bound);
+  else
+    distances(source, result);
+}
 
 // The flow of Fig. 2: tips in the largest segment, a border for each, labels, until there are enough
 // segments.
@@ -228,7 +251,7 @@ private:
         continue;
       m_monitor.check();
       const double border_distance = record.histogram.slot_begin(tip_border.second.slot);
-      segment.distances(record.tip, distances);
+      distances_up_to(border_distance, record.tip, segment.distances, distances);
       const auto is_near = [&](Index f) { return distances[f] < border_distance; };
       if (!leaves_a_face(labels, segment.id, is_near))
         continue;

@@ -164,8 +164,8 @@ inline void merge_arcs(const Seam_graph& graph,
   }
 }
 
-// The graph whose nodes are the `count` sets of nodes with equal numbers. Border lengths and capacities add
-// up. Curvatures are averaged along the borders; lengths are those between the new centres.
+// The graph whose nodes are the `count` sets of nodes with equal numbers, still without lengths. Border lengths
+// and capacities add up; curvatures are averaged along the borders.
 inline Seam_graph contract(const Seam_graph& graph,
                            const std::vector<Seam_graph::Index>& number,
                            Seam_graph::Index count)
@@ -176,16 +176,25 @@ inline Seam_graph contract(const Seam_graph& graph,
   const Node_sets sets(number, count);
   merge_nodes(graph, sets, result);
   merge_arcs(graph, number, sets, result);
-  result.length.reserve(result.target.size());
-  for (Index u = 0; u < count; ++u)
-    for (Index arc : result.arcs(u))
-    {
-      const Surface_part::Vector_3 step = result.centre_of(result.target[arc]) - result.centre_of(u);
-      result.length.push_back(static_cast<float>((std::max)(std::sqrt(step.squared_length()), 1e-9)));
-      if (result.border_length[arc] > 0)
-        result.curvature[arc] /= result.border_length[arc];
-    }
+  for (Index arc = 0; arc < result.target.size(); ++arc)
+    if (result.border_length[arc] > 0)
+      result.curvature[arc] /= result.border_length[arc];
   return result;
+}
+
+// The distances between the centres of neighbouring nodes.
+inline std::vector<float> lengths_between_centres(const Seam_graph& graph)
+{
+  using Index = Seam_graph::Index;
+  std::vector<float> lengths;
+  lengths.reserve(graph.target.size());
+  for (Index u = 0; u < graph.number_of_nodes(); ++u)
+    for (Index arc : graph.arcs(u))
+    {
+      const Surface_part::Vector_3 step = graph.centre_of(graph.target[arc]) - graph.centre_of(u);
+      lengths.push_back(static_cast<float>((std::max)(std::sqrt(step.squared_length()), 1e-9)));
+    }
+  return lengths;
 }
 
 // Contracts a graph to about `number_of_nodes` nodes of similar area that do not straddle seams: the
@@ -216,6 +225,8 @@ inline Coarse_graph coarsen(const Seam_graph& graph, Seam_graph::Index number_of
   }
   if (current == &graph)
     result.graph = graph;
+  else
+    result.graph.length = lengths_between_centres(result.graph);
   return result;
 }
 
