@@ -27,7 +27,8 @@ for name in fuzz_seg_replay fuzz_mesh_replay; do
   fi
 done
 llvm-profdata merge -sparse "$profiles"/*.profraw -o "$profiles/all.profdata"
-llvm-cov export -format=lcov -instr-profile "$profiles/all.profdata" "${objects[@]}" "$include" 2>/dev/null |
+# the first program is no option: llvm-cov would take the folder of the headers for it
+llvm-cov export -format=lcov -instr-profile "$profiles/all.profdata" "${objects[@]:1}" "$include" 2>/dev/null |
   awk -F'[:,]' -v prefix="$include/" '
     /^SF:/ { file = substr($0, 4); sub(prefix, "", file) }
     /^DA:/ { key = file ":" $2; if (!(key in count)) { order[++n] = key; count[key] = 0 } count[key] += $3 }

@@ -88,6 +88,19 @@ void faces_in_one_point_need_one_run()
   CHECK_EQUAL(runs_of_search(to_surface_part(point)), 1);
 }
 
+// On a sphere with bumps all sums are alike.
+void the_number_of_visits_can_be_limited()
+{
+  const Surface_part part = to_surface_part(bumpy_sphere(3, 1));
+  Geodesic_distance distance;
+  CHECK_EQUAL(distance.maximum_number_of_visits(2).maximum_number_of_visits(), 2);
+  auto distances = distance.on(part, 0);
+  CHECK(distances.face_of_largest_sum() < part.number_of_faces());
+  CHECK_EQUAL(distances.number_of_runs(), 2);
+  CHECK_THROWS_WITH(distance.maximum_number_of_visits(0), std::invalid_argument, "maximum_number_of_visits is 0");
+  CHECK_EQUAL(distance.maximum_number_of_visits(), 2);
+}
+
 // A guard that needs no timing. The limits are the counts measured when this was written and a tenth
 // more for other roundings; round bodies, where many faces nearly tie, need the most.
 void few_runs_on_large_meshes()
@@ -133,6 +146,7 @@ int main()
   same_face_as_all_pairs_on_random_surfaces();
   same_face_as_all_pairs_where_sums_tie();
   faces_in_one_point_need_one_run();
+  the_number_of_visits_can_be_limited();
   few_runs_on_large_meshes();
   if(const char* folder = std::getenv("PRINCETON_FOLDER"))
     same_face_as_all_pairs_on_models(folder);
