@@ -23,16 +23,16 @@
 #include <vector>
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using CGAL::Protrusion_segmentation::Surface_part;
+using CGAL::Protrusion_segmentation::Indexed_surface;
 
 // A model of ProtrusionDistance.
 struct Bent_distance
 {
-  // A model of ProtrusionDistancesOnPart.
-  class On_part
+  // A model of ProtrusionDistancesOnSurface.
+  class On_surface
   {
   public:
-    explicit On_part(const Surface_part& part) : m_graph(part.dual_graph())
+    explicit On_surface(const Indexed_surface& part) : m_graph(part.dual_graph())
     {
       for (const auto arc : CGAL::make_range(edges(m_graph)))
       {
@@ -43,7 +43,7 @@ struct Bent_distance
       }
     }
 
-    void operator()(Surface_part::Index source, std::vector<double>& distances)
+    void operator()(Indexed_surface::Index source, std::vector<double>& distances)
     {
       distances.resize(num_vertices(m_graph));
       boost::dijkstra_shortest_paths(
@@ -59,26 +59,26 @@ struct Bent_distance
 
     // Optional, but without it distances are computed from every face. An end of the longest way found
     // in two steps is at the tip of a protrusion, too.
-    Surface_part::Index face_of_largest_sum()
+    Indexed_surface::Index face_of_largest_sum()
     {
       std::vector<double> distances;
-      Surface_part::Index farthest = 0;
+      Indexed_surface::Index farthest = 0;
       for (int i = 0; i < 2; ++i)
       {
         (*this)(farthest, distances);
-        farthest = static_cast<Surface_part::Index>(
+        farthest = static_cast<Indexed_surface::Index>(
             std::max_element(distances.begin(), distances.end()) - distances.begin());
       }
       return farthest;
     }
 
   private:
-    Surface_part::Dual_graph m_graph;
+    Indexed_surface::Dual_graph m_graph;
     std::vector<double> m_lengths; // of the arcs
     std::size_t m_number_of_runs = 0;
   };
 
-  On_part on(const Surface_part& part, unsigned int /* random_seed */) const { return On_part(part); }
+  On_surface on(const Indexed_surface& part, unsigned int /* random_seed */) const { return On_surface(part); }
 };
 
 int main(int argc, char* argv[])
@@ -90,7 +90,7 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   const std::size_t k = 7;
-  const CGAL::Protrusion_segmentation::Histogram_border border;
+  const CGAL::Protrusion_segmentation::Histogram_method border;
   auto usual = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:usual").first;
   auto own = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:own").first;
   CGAL::segmentation_via_protrusion_tips(

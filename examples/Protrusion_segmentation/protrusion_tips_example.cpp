@@ -32,7 +32,7 @@ int main(int argc, char* argv[])
   try
   {
     const CGAL::Protrusion_segmentation::Geodesic_distance distance;
-    const CGAL::Protrusion_segmentation::Minimum_cut_border border;
+    const CGAL::Protrusion_segmentation::Minimum_cut_method border;
 
     std::vector<Face> tips;
     CGAL::protrusion_tips(mesh, 6, std::back_inserter(tips), distance);

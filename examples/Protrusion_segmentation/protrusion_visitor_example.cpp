@@ -66,7 +66,7 @@ int main(int argc, char* argv[])
     Watcher watcher;
     const std::size_t number_of_segments = CGAL::segmentation_via_protrusion_tips(
         mesh, segments, 7, CGAL::Protrusion_segmentation::Geodesic_distance(),
-        CGAL::Protrusion_segmentation::Histogram_border(), // the method that has histograms
+        CGAL::Protrusion_segmentation::Histogram_method(), // the method that has histograms
         CGAL::parameters::visitor(std::ref(watcher)));
     if (number_of_segments == 0)
       std::cout << "stopped, nothing is segmented" << std::endl;

@@ -7,9 +7,9 @@
 
 #include <CGAL/Protrusion_segmentation/Default_visitor.h>
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
-#include <CGAL/Protrusion_segmentation/Histogram_border.h>
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
-#include <CGAL/Protrusion_segmentation/Minimum_cut_border.h>
+#include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
 #include <CGAL/Protrusion_segmentation/internal/segment_mesh.h>
 
@@ -32,7 +32,7 @@ Segment ids are 0 to n-1, where n is the returned number. Every segment is a con
 Connected components have the first ids. The ids depend on where the faces are and not on the order of
 `faces(tmesh)`, except for faces with the same centroid. Every border then splits one segment
 in two; the protrusion that it cuts off gets the next id and the rest keeps the old one. For
-`Minimum_cut_border` the protrusion is the side of smaller area, for `Histogram_border` the side of the tip. So
+`Minimum_cut_method` the protrusion is the side of smaller area, for `Histogram_method` the side of the tip. So
 what remains of a component in the end, its body, has the id of the component.
 
 A mesh of several connected components has at least as many segments, even if fewer were asked for. It may
@@ -49,7 +49,7 @@ have fewer segments than asked for if no more borders are found.
 \param segment_ids the segment of every face; written only if the function succeeds
 \param number_of_segments the number of segments k, from 1 to the number of faces
 \param distance the distance on the surface, for instance `Protrusion_segmentation::Geodesic_distance`
-\param border the border method, for instance `Protrusion_segmentation::Histogram_border`
+\param border the border method, for instance `Protrusion_segmentation::Histogram_method`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -137,7 +137,7 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 
 splits a surface mesh into `number_of_segments` segments with the default distance,
 `Protrusion_segmentation::Geodesic_distance`, and the default border method,
-`Protrusion_segmentation::Minimum_cut_border`.
+`Protrusion_segmentation::Minimum_cut_method`.
 
 \param tmesh, segment_ids, number_of_segments, np as for the function with a number of segments, a
        distance and a border method
@@ -151,7 +151,7 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 {
   return segmentation_via_protrusion_tips(tmesh, segment_ids, number_of_segments,
                                           Protrusion_segmentation::Geodesic_distance(),
-                                          Protrusion_segmentation::Minimum_cut_border(), np);
+                                          Protrusion_segmentation::Minimum_cut_method(), np);
 }
 
 /*!
@@ -169,7 +169,7 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
   return segmentation_via_protrusion_tips(tmesh, segment_ids, Protrusion_segmentation::Geodesic_distance(),
-                                          Protrusion_segmentation::Minimum_cut_border(), np);
+                                          Protrusion_segmentation::Minimum_cut_method(), np);
 }
 
 /*!
@@ -270,7 +270,7 @@ Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
 {
   return Protrusion_segmentation::internal::mesh_hierarchy(
     tmesh, maximum_number_of_segments, Protrusion_segmentation::Geodesic_distance(),
-    Protrusion_segmentation::Minimum_cut_border(), np);
+    Protrusion_segmentation::Minimum_cut_method(), np);
 }
 
 } // namespace CGAL

@@ -11,10 +11,10 @@
 #ifndef CGAL_SEGMENTATION_METRICS_H
 #define CGAL_SEGMENTATION_METRICS_H
 
-#include <CGAL/Protrusion_segmentation/internal/Segment_overlap.h>
-#include <CGAL/Protrusion_segmentation/internal/border_distances.h>
-#include <CGAL/Protrusion_segmentation/internal/face_measures.h>
-#include <CGAL/Protrusion_segmentation/internal/overlap_errors.h>
+#include <CGAL/Protrusion_segmentation/internal/Metrics/Segment_overlap.h>
+#include <CGAL/Protrusion_segmentation/internal/Metrics/border_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Metrics/face_measures.h>
+#include <CGAL/Protrusion_segmentation/internal/Metrics/overlap_errors.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -18,7 +18,7 @@ run(dpkg-deb --extract ${packages} ${WORK_FOLDER}/root)
 foreach(file
         bin/segment_by_protrusions bin/evaluate_segmentation
         include/CGAL/protrusion_segmentation.h include/CGAL/segmentation_metrics.h include/CGAL/IO/SEG.h
-        include/CGAL/Protrusion_segmentation/Minimum_cut_border.h
+        include/CGAL/Protrusion_segmentation/Minimum_cut_method.h
         include/CGAL/Protrusion_segmentation/internal/segment_mesh.h
         share/doc/protrusion-segmentation/copyright)
   if(NOT EXISTS ${WORK_FOLDER}/root/usr/${file})

@@ -4,7 +4,7 @@
 
 #include "check.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Tip_record.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/Tip_record.h>
 
 using namespace CGAL::Protrusion_segmentation::internal;
 

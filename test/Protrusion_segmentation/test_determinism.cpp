@@ -62,11 +62,11 @@ Method method(const Distance& distance, const Border& border)
 
 std::map<std::string, Method> methods()
 {
-  return {{"minimum-cut", method(Geodesic_distance(), Minimum_cut_border())},
-          {"paper", method(Geodesic_distance(), Histogram_border())},
-          {"paper-landmark", method(Landmark_geodesic_distance(), Histogram_border())},
-          {"paper-diffusion", method(Diffusion_distance(), Histogram_border())},
-          {"paper-heat", method(Heat_distance(), Histogram_border())}};
+  return {{"minimum-cut", method(Geodesic_distance(), Minimum_cut_method())},
+          {"paper", method(Geodesic_distance(), Histogram_method())},
+          {"paper-landmark", method(Landmark_geodesic_distance(), Histogram_method())},
+          {"paper-diffusion", method(Diffusion_distance(), Histogram_method())},
+          {"paper-heat", method(Heat_distance(), Histogram_method())}};
 }
 
 // FNV-1a
@@ -115,12 +115,12 @@ void the_number_of_threads_does_not_matter()
 #ifdef CGAL_LINKED_WITH_TBB
   const Mesh mesh = rounded(creature(0.2));
   const CGAL::Parallel_tag tag;
-  const Labels expected = method(Landmark_geodesic_distance(), Histogram_border())(mesh);
+  const Labels expected = method(Landmark_geodesic_distance(), Histogram_method())(mesh);
   for(const std::size_t threads : {1, 2, 8})
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     CHECK(method(Landmark_geodesic_distance().concurrency_tag(tag),
-                 Histogram_border().concurrency_tag(tag))(mesh) == expected);
+                 Histogram_method().concurrency_tag(tag))(mesh) == expected);
   }
 #endif
 }

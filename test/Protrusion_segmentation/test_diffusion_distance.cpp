@@ -4,7 +4,7 @@
 // and its eigenpairs against a dense solver.
 
 #include "check.h"
-#include "surface_parts.h"
+#include "indexed_surfaces.h"
 #include "test_distances.h"
 #include "test_meshes.h"
 
@@ -18,7 +18,7 @@ using namespace CGAL::Protrusion_segmentation;
 using Matrix = Eigen::MatrixXd;
 
 // What the walk gets its weights from, straight from the documentation. For meshes without tiny lengths.
-Matrix transition_matrix(const Surface_part& part)
+Matrix transition_matrix(const Indexed_surface& part)
 {
   const Eigen::Index n = part.number_of_faces();
   Matrix w = Matrix::Zero(n, n);
@@ -26,7 +26,7 @@ Matrix transition_matrix(const Surface_part& part)
   {
     w(f, f) += 50 * part.area(f) / (part.area() / double(n));
     for(Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
-      if(const Index g = part.neighbor(c); g != Surface_part::no_face())
+      if(const Index g = part.neighbor(c); g != Indexed_surface::no_face())
         w(f, g) += part.edge_length(f, c)
                  / std::sqrt(squared_distance(part.centroid(f), part.centroid(g)));
   }
@@ -54,7 +54,7 @@ Matrix distances_by_definition(const Matrix& p_t, const Eigen::VectorXd& station
   return d;
 }
 
-Matrix all_distances(const Surface_part& part, std::size_t number_of_eigenpairs, double time)
+Matrix all_distances(const Indexed_surface& part, std::size_t number_of_eigenpairs, double time)
 {
   auto distances = Diffusion_distance(number_of_eigenpairs, time).on(part, 0);
   Matrix d(part.number_of_faces(), part.number_of_faces());
@@ -67,7 +67,7 @@ Matrix all_distances(const Surface_part& part, std::size_t number_of_eigenpairs,
   return d;
 }
 
-double second_eigenvalue(const Surface_part& part)
+double second_eigenvalue(const Indexed_surface& part)
 {
   return 1 - internal::dense_eigenpairs(internal::make_random_walk(part), 1).values.front();
 }
@@ -89,7 +89,7 @@ void eigenpairs_give_the_distances_of_the_definition()
 {
   for(const Test_mesh& mesh : small_meshes())
   {
-    const Surface_part part = to_surface_part(mesh);
+    const Indexed_surface part = to_surface_part(mesh);
     const Matrix p = transition_matrix(part);
     const Eigen::VectorXd stationary = stationary_distribution(p);
     Matrix p_t = Matrix::Identity(p.rows(), p.rows());
@@ -107,7 +107,7 @@ void eigenpairs_give_the_distances_of_the_definition()
 // lies between them.
 void at_time_0_all_terms_add_up_to_a_formula()
 {
-  const Surface_part part = to_surface_part(random_surface(5));
+  const Indexed_surface part = to_surface_part(random_surface(5));
   const Eigen::VectorXd stationary = stationary_distribution(transition_matrix(part));
   const Matrix d = all_distances(part, part.number_of_faces(), 0);
   for(Eigen::Index i = 0; i < d.rows(); ++i)
@@ -118,7 +118,7 @@ void at_time_0_all_terms_add_up_to_a_formula()
 // After a long time only the slowest term is left, a difference on a line.
 void at_a_large_time_the_slowest_term_is_left()
 {
-  const Surface_part part = to_surface_part(star(1));
+  const Indexed_surface part = to_surface_part(star(1));
   const double time = 40;
   const Matrix one = all_distances(part, 1, time), ten = all_distances(part, 10, time);
   CHECK(one.maxCoeff() > 0);
@@ -126,7 +126,7 @@ void at_a_large_time_the_slowest_term_is_left()
   CHECK_EQUAL(all_distances(part, 10, 1e6).maxCoeff(), 0);
 }
 
-void check_residuals(const Surface_part& part, const internal::Eigenpairs& pairs)
+void check_residuals(const Indexed_surface& part, const internal::Eigenpairs& pairs)
 {
   const internal::Random_walk walk = internal::make_random_walk(part);
   for(std::size_t k = 0; k < pairs.size(); ++k)
@@ -146,7 +146,7 @@ void sparse_eigenpairs_are_those_of_a_dense_solver()
       {box(7, 7, 7), icosphere(2), dumbbell(1, 1, 0.3, 3, 0.4), torus(2, 0.5, 24, 12), sheet(18, 18),
        bumpy_sphere(2, 1), height_field(12, 12, 1), merged({icosphere(2), icosphere(2)})})
   {
-    const Surface_part part = to_surface_part(mesh);
+    const Indexed_surface part = to_surface_part(mesh);
     const internal::Random_walk walk = internal::make_random_walk(part);
     const internal::Eigenpairs dense = internal::dense_eigenpairs(walk, mesh.faces.size());
     for(std::size_t count : {1, 2, 5, 10})
@@ -167,8 +167,8 @@ void symmetry_does_not_matter()
 {
   const Test_mesh cube = box(9, 9, 9);
   const std::vector<std::size_t> order = random_permutation(cube.faces.size(), 4);
-  const Surface_part part = to_surface_part(cube);
-  const Surface_part turned = to_surface_part(with_face_order(rotated(cube, {1, 2, 3}, 1), order));
+  const Indexed_surface part = to_surface_part(cube);
+  const Indexed_surface turned = to_surface_part(with_face_order(rotated(cube, {1, 2, 3}, 1), order));
   for(std::size_t count : {1, 2, 3, 5, 7})
   {
     const Matrix a = all_distances(part, count, 0.3), b = all_distances(turned, count, 0.3);
@@ -206,7 +206,7 @@ void components_are_apart()
   for(std::size_t levels : {0, 2})
   {
     const Test_mesh ball = icosphere(levels);
-    const Surface_part part = to_surface_part(merged({ball, translated(ball, {5, 0, 0})}));
+    const Indexed_surface part = to_surface_part(merged({ball, translated(ball, {5, 0, 0})}));
     const Index n = Index(ball.faces.size());
     for(double time : {0., 1., 100.})
     {

@@ -3,11 +3,11 @@
 // The distance histogram and its candidate intervals (Section III.D.1).
 
 #include "check.h"
-#include "surface_parts.h"
+#include "indexed_surfaces.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/distance_histogram.h>
-#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/distance_histogram.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation::internal;
@@ -27,7 +27,7 @@ void slots_hold_the_faces_at_their_distances()
 {
   for(std::uint_fast32_t seed = 0; seed < 50; ++seed)
   {
-    const Surface_part part = to_surface_part(random_surface(seed));
+    const Indexed_surface part = to_surface_part(random_surface(seed));
     std::vector<double> distances;
     Shortest_distances shortest(part);
     shortest(Index(seed % 40), distances);
@@ -59,7 +59,7 @@ void counts_on_a_cylinder_are_even()
 {
   const std::size_t slices = 12;
   const Test_mesh mesh = revolution(Profile(0.01).line(1e-3, 0, 1e-3, 4, 0), slices);
-  const Surface_part part = to_surface_part(mesh);
+  const Indexed_surface part = to_surface_part(mesh);
   CHECK_EQUAL(part.number_of_faces(), 400 * slices);
   std::vector<double> distances;
   Shortest_distances shortest(part);

@@ -12,7 +12,7 @@ using namespace CGAL::Protrusion_segmentation;
 
 void check_euclidean(const Test_mesh& mesh, Index source)
 {
-  const Surface_part part = to_surface_part(mesh);
+  const Indexed_surface part = to_surface_part(mesh);
   auto distances = Exact_geodesic_distance().on(part, 0);
   std::vector<double> row;
   distances(source, row);
@@ -33,7 +33,7 @@ void distances_on_a_plane_are_euclidean()
 // Over the edges of a cube the way is straight where the faces are unfolded.
 void distances_on_a_cube_are_those_of_its_nets()
 {
-  const Surface_part part = to_surface_part(box());
+  const Indexed_surface part = to_surface_part(box());
   const auto d = distance_matrix(part, Exact_geodesic_distance());
   for(Index f = 0; f < 6; ++f)
     for(Index g = 0; g < 6; ++g)
@@ -48,7 +48,7 @@ void distances_on_a_cube_are_those_of_its_nets()
 void distances_on_a_prism_are_those_of_its_net()
 {
   const std::size_t n = 9;
-  const Surface_part part = to_surface_part(regular_prism(n, 1, 12));
+  const Indexed_surface part = to_surface_part(regular_prism(n, 1, 12));
   auto distances = Exact_geodesic_distance().on(part, 0);
   std::vector<double> row;
   std::vector<Index> sides;
@@ -64,13 +64,13 @@ void distances_on_a_prism_are_those_of_its_net()
 // The mesh lies inside the sphere, by two hundredths.
 void distances_on_a_sphere_are_arcs()
 {
-  const Surface_part part = to_surface_part(icosphere(2));
+  const Indexed_surface part = to_surface_part(icosphere(2));
   auto distances = Exact_geodesic_distance().on(part, 0);
   std::vector<double> row;
   distances(100, row);
   const auto direction = [&](Index f)
   {
-    const Surface_part::Vector_3 v = part.centroid(f) - Surface_part::Point_3(0, 0, 0);
+    const Indexed_surface::Vector_3 v = part.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
     return v / std::sqrt(v.squared_length());
   };
   for(Index f = 0; f < part.number_of_faces(); ++f)
@@ -83,7 +83,7 @@ void distances_on_a_sphere_are_arcs()
 // Paths over the faces are shorter than paths from centroid to centroid, but for corners cut in space.
 void no_longer_than_paths_in_the_dual_graph()
 {
-  const Surface_part part = to_surface_part(height_field(8, 8, 2));
+  const Indexed_surface part = to_surface_part(height_field(8, 8, 2));
   const auto exact = distance_matrix(part, Exact_geodesic_distance());
   const auto dual = distance_matrix(part, Geodesic_distance());
   double exact_sum = 0, dual_sum = 0;

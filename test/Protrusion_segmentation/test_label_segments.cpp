@@ -4,12 +4,12 @@
 // segments become surfaces of their own; a forest of segments knows where each came from.
 
 #include "check.h"
-#include "surface_parts.h"
+#include "indexed_surfaces.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Segment_forest.h>
-#include <CGAL/Protrusion_segmentation/internal/extract_part.h>
-#include <CGAL/Protrusion_segmentation/internal/label_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation::internal;
@@ -23,7 +23,7 @@ std::size_t number_of_pieces(const Test_mesh& mesh, const Labels& labels)
 void components_of_labels()
 {
   // A 4 x 3 sheet, labels row by row.
-  const Surface_part part = to_surface_part(sheet(4, 3));
+  const Indexed_surface part = to_surface_part(sheet(4, 3));
   const Labels labels = {0, 0, 1, 0,
                          2, 1, 1, 0,
                          2, 2, 0, 0};
@@ -35,7 +35,7 @@ void components_of_labels()
 
 void lengths_of_borders()
 {
-  const Surface_part part = to_surface_part(sheet(4, 3, 2, 1));
+  const Indexed_surface part = to_surface_part(sheet(4, 3, 2, 1));
   const Labels labels = {0, 0, 1, 0,
                          2, 1, 1, 0,
                          2, 2, 0, 0};
@@ -47,7 +47,7 @@ void lengths_of_borders()
 // Of the faces that are near only those connected to the tip.
 void a_protrusion_is_the_piece_of_its_tip()
 {
-  const Surface_part part = to_surface_part(sheet(9, 1));
+  const Indexed_surface part = to_surface_part(sheet(9, 1));
   Labels labels(9, 0);
   const double area =
     cut_off_protrusion(part, labels, 0, [](Index f) { return f < 3 || f > 6; }, 5);
@@ -58,7 +58,7 @@ void a_protrusion_is_the_piece_of_its_tip()
 // What is cut off from the largest rest goes with the protrusion.
 void islands_go_with_the_protrusion()
 {
-  const Surface_part part = to_surface_part(sheet(5, 3));
+  const Indexed_surface part = to_surface_part(sheet(5, 3));
   Labels labels(15, 0);
   const auto is_ring = [](Index f) { return f == 1 || f == 6 || f == 11; }; // a column
   const double area = cut_off_protrusion(part, labels, 6, is_ring, 1);
@@ -70,7 +70,7 @@ void islands_go_with_the_protrusion()
 
 void among_equal_rests_the_one_with_the_lowest_face_stays()
 {
-  const Surface_part part = to_surface_part(sheet(5, 1));
+  const Indexed_surface part = to_surface_part(sheet(5, 1));
   Labels labels(5, 3);
   cut_off_protrusion(part, labels, 2, [](Index f) { return f == 2; }, 4);
   CHECK(labels == (Labels{3, 3, 4, 4, 4}));
@@ -78,7 +78,7 @@ void among_equal_rests_the_one_with_the_lowest_face_stays()
 
 void other_segments_are_left_alone()
 {
-  const Surface_part part = to_surface_part(sheet(6, 1));
+  const Indexed_surface part = to_surface_part(sheet(6, 1));
   Labels labels = {1, 0, 0, 0, 0, 2};
   cut_off_protrusion(part, labels, 1, [](Index f) { return f <= 2 || f == 5; }, 3);
   CHECK(labels == (Labels{1, 3, 3, 0, 0, 2}));
@@ -91,7 +91,7 @@ void both_segments_are_connected()
   for(std::uint_fast32_t seed = 0; seed < 200; ++seed)
   {
     const Test_mesh mesh = random_surface(seed);
-    const Surface_part part = to_surface_part(mesh);
+    const Indexed_surface part = to_surface_part(mesh);
     Labels labels(part.number_of_faces(), 0);
     std::size_t segments = 1;
     for(Index id = 1; id < 5; ++id)
@@ -121,11 +121,11 @@ void both_segments_are_connected()
 
 void extracted_parts_are_the_surface_of_their_faces()
 {
-  const Surface_part surface = to_surface_part(sheet(4, 3));
-  Part_extractor extract(surface);
+  const Indexed_surface surface = to_surface_part(sheet(4, 3));
+  Segment_extractor extract(surface);
   for(int repetition = 0; repetition < 2; ++repetition) // the work arrays are left clean
   {
-    const Extracted_part extracted = extract({1, 2, 5, 6, 7});
+    const Extracted_segment extracted = extract({1, 2, 5, 6, 7});
     CHECK(extracted.faces == (Labels{1, 2, 5, 6, 7}));
     CHECK_EQUAL(extracted.part.number_of_faces(), 5);
     CHECK_EQUAL(extracted.part.number_of_vertices(), 11);
@@ -142,20 +142,20 @@ void extracted_parts_are_the_surface_of_their_faces()
 // The border of the surface is no cut.
 void only_faces_beside_other_faces_are_on_the_cut()
 {
-  const Surface_part surface = to_surface_part(sheet(5, 2));
-  const Extracted_part left = Part_extractor(surface)({0, 1, 2, 5, 6, 7});
+  const Indexed_surface surface = to_surface_part(sheet(5, 2));
+  const Extracted_segment left = Segment_extractor(surface)({0, 1, 2, 5, 6, 7});
   CHECK(left.is_on_cut == (std::vector<bool>{false, false, true, false, false, true}));
   Labels all(10);
   std::iota(all.begin(), all.end(), Index(0));
-  const Extracted_part whole = Part_extractor(surface)(all);
+  const Extracted_segment whole = Segment_extractor(surface)(all);
   CHECK(whole.is_on_cut == std::vector<bool>(10, false));
   CHECK_EQUAL(num_edges(whole.part.dual_graph()), num_edges(surface.dual_graph()));
 }
 
 void extraction_keeps_the_order_that_is_asked_for()
 {
-  const Surface_part surface = to_surface_part(bumpy_sphere(2, 3));
-  const Extracted_part reversed = Part_extractor(surface)({9, 3, 5});
+  const Indexed_surface surface = to_surface_part(bumpy_sphere(2, 3));
+  const Extracted_segment reversed = Segment_extractor(surface)({9, 3, 5});
   CHECK(reversed.faces == (Labels{9, 3, 5}));
   CHECK(reversed.part.centroid(0) == surface.centroid(9));
   CHECK(reversed.part.centroid(2) == surface.centroid(5));
@@ -164,7 +164,7 @@ void extraction_keeps_the_order_that_is_asked_for()
 void a_forest_begins_with_the_components()
 {
   const Test_mesh one = icosphere(1);
-  const Segment_forest forest(
+  const Nested_segments forest(
     to_surface_part(merged({one, translated(one, {3, 0, 0}), translated(one, {6, 0, 0})})));
   CHECK_EQUAL(forest.number_of_segments(), 3);
   CHECK_EQUAL(forest.number_of_components, 3);
@@ -173,12 +173,12 @@ void a_forest_begins_with_the_components()
     CHECK_EQUAL(forest.labels[f], f / one.faces.size());
   CHECK_EQUAL(forest.faces_of(1).size(), one.faces.size());
   CHECK_EQUAL(forest.faces_of(1).front(), one.faces.size());
-  CHECK_EQUAL(Segment_forest(Surface_part()).number_of_segments(), 0);
+  CHECK_EQUAL(Nested_segments(Indexed_surface()).number_of_segments(), 0);
 }
 
 void a_forest_numbers_its_segments_on()
 {
-  Segment_forest forest(to_surface_part(sheet(3, 1)));
+  Nested_segments forest(to_surface_part(sheet(3, 1)));
   CHECK_EQUAL(forest.add_segment(0), 1);
   CHECK_EQUAL(forest.add_segment(1), 2);
   CHECK(forest.parents == (Labels{0, 0, 1}));

@@ -3,7 +3,7 @@
 // The landmark-based geodesic distance (Section III.B.3) is what its documentation defines.
 
 #include "check.h"
-#include "surface_parts.h"
+#include "indexed_surfaces.h"
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
@@ -36,7 +36,7 @@ double sum(const std::vector<double>& values)
   return std::accumulate(values.begin(), values.end(), 0.);
 }
 
-void check_definition(const Surface_part& part, std::size_t number_of_landmarks, unsigned int seed)
+void check_definition(const Indexed_surface& part, std::size_t number_of_landmarks, unsigned int seed)
 {
   const std::vector<Index> landmarks =
     internal::select_landmarks(part.number_of_faces(), number_of_landmarks, seed);
@@ -63,7 +63,7 @@ void distances_and_sums_follow_the_definition()
 {
   for(unsigned int seed = 0; seed < 40; ++seed)
   {
-    const Surface_part part = to_surface_part(random_surface(seed));
+    const Indexed_surface part = to_surface_part(random_surface(seed));
     for(std::size_t number : {1, 3, 10, 1000})
       check_definition(part, number, seed);
   }
@@ -75,7 +75,7 @@ void distances_and_sums_follow_the_definition()
 // With every face a landmark the distances are the geodesic ones.
 void all_faces_as_landmarks_give_the_geodesic_distance()
 {
-  const Surface_part part = to_surface_part(random_surface(8));
+  const Indexed_surface part = to_surface_part(random_surface(8));
   const Matrix geodesic = all_pairs_distances(part);
   auto distances = Landmark_geodesic_distance(1).on(part, 3);
   std::vector<double> row;
@@ -118,7 +118,7 @@ void landmarks_are_spread_evenly()
 
 void options_choose_the_number_of_landmarks()
 {
-  const Surface_part part = to_surface_part(icosphere(2)); // 320 faces
+  const Indexed_surface part = to_surface_part(icosphere(2)); // 320 faces
   CHECK_EQUAL(Landmark_geodesic_distance().on(part, 0).number_of_runs(), 16);
   CHECK_EQUAL(Landmark_geodesic_distance(0.1).on(part, 0).number_of_runs(), 32);
   CHECK_EQUAL(Landmark_geodesic_distance(1).on(part, 0).number_of_runs(), 320);

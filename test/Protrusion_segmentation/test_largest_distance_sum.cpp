@@ -6,7 +6,7 @@
 // With PRINCETON_FOLDER, the folder with off/<model>.off, on ten models of that benchmark as well.
 
 #include "check.h"
-#include "surface_parts.h"
+#include "indexed_surfaces.h"
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
@@ -21,14 +21,14 @@
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 
-std::size_t runs_of_search(const Surface_part& part)
+std::size_t runs_of_search(const Indexed_surface& part)
 {
   auto distances = Geodesic_distance().on(part, 0);
   distances.face_of_largest_sum();
   return distances.number_of_runs();
 }
 
-void check_same_face(const Surface_part& part)
+void check_same_face(const Indexed_surface& part)
 {
   internal::Shortest_distances distances(part);
   const Index expected = internal::largest_distance_sum_of_all_pairs(part, distances);
@@ -43,7 +43,7 @@ void check_same_face(const Test_mesh& mesh)
 
 void all_pairs_take_the_lowest_of_the_largest_sums()
 {
-  const Surface_part part = to_surface_part(random_surface(3));
+  const Indexed_surface part = to_surface_part(random_surface(3));
   const auto d = all_pairs_distances(part);
   std::vector<double> sums;
   for(const std::vector<double>& row : d)
@@ -53,7 +53,7 @@ void all_pairs_take_the_lowest_of_the_largest_sums()
   CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(part, distances), largest - sums.begin());
 
   // Exact sums: both ends of a strip of unit squares tie.
-  const Surface_part strip = to_surface_part(sheet(16, 1));
+  const Indexed_surface strip = to_surface_part(sheet(16, 1));
   auto on_strip = Geodesic_distance().on(strip, 0);
   CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(strip, on_strip), 0);
 }
@@ -91,7 +91,7 @@ void faces_in_one_point_need_one_run()
 // On a sphere with bumps all sums are alike.
 void the_number_of_visits_can_be_limited()
 {
-  const Surface_part part = to_surface_part(bumpy_sphere(3, 1));
+  const Indexed_surface part = to_surface_part(bumpy_sphere(3, 1));
   Geodesic_distance distance;
   CHECK_EQUAL(distance.maximum_number_of_visits(2).maximum_number_of_visits(), 2);
   auto distances = distance.on(part, 0);
@@ -107,7 +107,7 @@ void few_runs_on_large_meshes()
 {
   const auto check_runs = [](const Test_mesh& mesh, std::size_t most)
   {
-    const Surface_part part = to_surface_part(mesh);
+    const Indexed_surface part = to_surface_part(mesh);
     const std::size_t runs = runs_of_search(part);
     std::cout << part.number_of_faces() << " faces: " << runs << " runs\n";
     CHECK(runs <= most);

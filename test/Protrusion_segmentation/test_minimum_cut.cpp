@@ -3,11 +3,11 @@
 // Level sets and minimum cuts against brute force on small surfaces.
 
 #include "check.h"
-#include "surface_parts.h"
+#include "indexed_surfaces.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_search.h>
-#include <CGAL/Protrusion_segmentation/internal/make_seam_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 
 #include <numeric>
 
@@ -15,17 +15,17 @@ using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 using internal::Graph_partition;
 using internal::Level_set;
-using internal::Seam_graph;
+using internal::Weighted_dual_graph;
 using Nodes = Graph_partition::Nodes;
 
-Nodes all_nodes(const Seam_graph& graph)
+Nodes all_nodes(const Weighted_dual_graph& graph)
 {
   Nodes nodes(graph.number_of_nodes());
   std::iota(nodes.begin(), nodes.end(), Index(0));
   return nodes;
 }
 
-double cost_of(const Seam_graph& graph, const std::vector<bool>& inner)
+double cost_of(const Weighted_dual_graph& graph, const std::vector<bool>& inner)
 {
   double cost = 0;
   for(Index i = 0; i < graph.number_of_nodes(); ++i)
@@ -36,7 +36,7 @@ double cost_of(const Seam_graph& graph, const std::vector<bool>& inner)
 }
 
 // The least relative cost among the components of all sublevel sets of an order, one by one.
-double best_component(const Seam_graph& graph, const Nodes& order)
+double best_component(const Weighted_dual_graph& graph, const Nodes& order)
 {
   double best = infinity;
   std::vector<bool> is_below(graph.number_of_nodes(), false);
@@ -65,10 +65,10 @@ double best_component(const Seam_graph& graph, const Nodes& order)
 
 void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
 {
-  const Seam_graph graph = internal::make_seam_graph(to_surface_part(mesh));
+  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(to_surface_part(mesh));
   Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
   Nodes order = partition.nodes_by_distance(Nodes(1, tip % graph.number_of_nodes()),
-                                            [](Index) { return true; }, graph.concave_lengths());
+                                            [](Index) { return true; }, graph.seam_lengths());
   CHECK_EQUAL(order.size(), graph.number_of_nodes());
   internal::Level_set_sweep sweep(partition);
   for(const bool descending : {false, true})
@@ -88,7 +88,7 @@ void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
 // Over all subsets of the band.
 void minimum_cuts_are_minimal(unsigned int seed)
 {
-  const Seam_graph graph = internal::make_seam_graph(to_surface_part(random_surface(seed)));
+  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(to_surface_part(random_surface(seed)));
   const Index n = graph.number_of_nodes();
   Graph_partition partition(graph, std::vector<Index>(n, 0));
   const Nodes order =
@@ -103,9 +103,9 @@ void minimum_cuts_are_minimal(unsigned int seed)
   for(const Index i : inner)
     is_inner[i] = true;
 
-  std::vector<Index> number(n, Surface_part::no_face());
+  std::vector<Index> number(n, Indexed_surface::no_face());
   internal::Band_network network(partition, 0, band, number);
-  CHECK(std::all_of(number.begin(), number.end(), [](Index i) { return i == Surface_part::no_face(); }));
+  CHECK(std::all_of(number.begin(), number.end(), [](Index i) { return i == Indexed_surface::no_face(); }));
   if(!network.has_terminals())
     return;
   const std::vector<bool> source_side = network.source_side();
@@ -126,7 +126,7 @@ void minimum_cuts_are_minimal(unsigned int seed)
 
 void both_sides_of_a_cut_are_connected(unsigned int seed)
 {
-  const Seam_graph graph = internal::make_seam_graph(to_surface_part(random_surface(seed)));
+  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(to_surface_part(random_surface(seed)));
   const Nodes part = all_nodes(graph);
   Graph_partition partition(graph, std::vector<Index>(part.size(), 0));
   Random random(seed);
@@ -153,7 +153,7 @@ void both_sides_of_a_cut_are_connected(unsigned int seed)
 void best_cuts_of_a_star_are_its_arms()
 {
   const Test_mesh mesh = star(6);
-  const Seam_graph graph = internal::make_seam_graph(to_surface_part(mesh));
+  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(to_surface_part(mesh));
   const Nodes part = all_nodes(graph);
   Graph_partition partition(graph, std::vector<Index>(part.size(), 0));
   internal::Cut_search search(partition);

@@ -9,10 +9,10 @@
 #endif
 
 #include "check.h"
-#include "surface_parts.h"
+#include "indexed_surfaces.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/plane_section.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/plane_section.h>
 
 #include <CGAL/Polygon_mesh_slicer.h>
 #include <CGAL/Surface_mesh.h>
@@ -22,7 +22,7 @@ using namespace CGAL::Protrusion_segmentation::internal;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-using Vector_3 = Surface_part::Vector_3;
+using Vector_3 = Indexed_surface::Vector_3;
 using Points = std::vector<Point>; // sorted, each point once
 
 constexpr double tolerance = 1e-12;
@@ -86,19 +86,19 @@ std::vector<Points> components_by_slicer(const Mesh& mesh, const Section_plane& 
   return sorted_components(components);
 }
 
-std::vector<Points> components_by_walk(const Surface_part& part, Plane_section& section,
+std::vector<Points> components_by_walk(const Indexed_surface& part, Plane_section& section,
                                        const Section_plane& plane)
 {
   std::vector<Points> components;
   section.start();
   for(Index f = 0; f < part.number_of_faces(); ++f)
   {
-    std::vector<Surface_part::Point_3> points;
+    std::vector<Indexed_surface::Point_3> points;
     section.component(f, plane, points);
     if(points.empty())
       continue;
     components.emplace_back();
-    for(const Surface_part::Point_3& p : points)
+    for(const Indexed_surface::Point_3& p : points)
       components.back().push_back({p.x(), p.y(), p.z()});
     CHECK_CLOSE(planar_diameter(points, plane.normal),
                 brute_force_diameter(components.back()), tolerance);
@@ -132,7 +132,7 @@ public:
 
 private:
   Mesh m_mesh;
-  Surface_part m_part;
+  Indexed_surface m_part;
   Plane_section m_section;
 };
 
@@ -186,9 +186,9 @@ void planes_through_vertices_and_edges_give_the_same_points()
 
 void a_plane_beside_the_surface_crosses_nothing()
 {
-  const Surface_part part = to_surface_part(icosphere(2));
+  const Indexed_surface part = to_surface_part(icosphere(2));
   Plane_section section(part);
-  std::vector<Surface_part::Point_3> points;
+  std::vector<Indexed_surface::Point_3> points;
   for(const Section_plane& plane : {Section_plane{{0, 0, 2}, {0, 0, 1}},
                                     Section_plane{{0, 0, 0}, {0, 0, 0}}})
   {
@@ -201,11 +201,11 @@ void a_plane_beside_the_surface_crosses_nothing()
 
 void a_component_is_given_once_a_section()
 {
-  const Surface_part part = to_surface_part(icosphere(2));
+  const Indexed_surface part = to_surface_part(icosphere(2));
   Plane_section section(part);
   const Section_plane plane = {{0, 0, 0.1}, {0.1, 0.2, 1}};
-  std::vector<Surface_part::Point_3> once, again;
-  const auto section_of_all_faces = [&](std::vector<Surface_part::Point_3>& points)
+  std::vector<Indexed_surface::Point_3> once, again;
+  const auto section_of_all_faces = [&](std::vector<Indexed_surface::Point_3>& points)
   {
     section.start();
     for(Index f = 0; f < part.number_of_faces(); ++f)
@@ -227,14 +227,14 @@ void diameters_of_points_in_a_plane()
     const Vector_3 u(1, 0, a), v(0, 1, b), normal = CGAL::cross_product(u, v);
     const double flatness = std::array<double, 4>{1, 1e-3, 1e-12, 0}[std::size_t(i % 4)];
     const std::size_t n = 1 + random.index(40);
-    std::vector<Surface_part::Point_3> points;
+    std::vector<Indexed_surface::Point_3> points;
     Points copies;
     for(std::size_t j = 0; j < n; ++j)
     {
       const double turn = 2 * pi * double(j) / double(n);
       const double x = i % 2 == 0 ? std::cos(turn) : random.real(-1, 1);
       const double y = i % 2 == 0 ? std::sin(turn) : random.real(-1, 1);
-      points.push_back(Surface_part::Point_3(3, -2, 1) + x * u + (flatness * y) * v);
+      points.push_back(Indexed_surface::Point_3(3, -2, 1) + x * u + (flatness * y) * v);
       copies.push_back({points.back().x(), points.back().y(), points.back().z()});
     }
     CHECK_CLOSE(planar_diameter(points, normal), brute_force_diameter(copies), tolerance);

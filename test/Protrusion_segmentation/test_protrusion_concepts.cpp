@@ -17,22 +17,22 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 class Hop_distances
 {
 public:
-  explicit Hop_distances(const Surface_part& part) : m_part(&part) {}
+  explicit Hop_distances(const Indexed_surface& part) : m_part(&part) {}
   Hop_distances(Hop_distances&&) = default;
   Hop_distances& operator=(Hop_distances&&) = delete;
 
-  void operator()(Surface_part::Index source, std::vector<double>& distances)
+  void operator()(Indexed_surface::Index source, std::vector<double>& distances)
   {
     ++m_number_of_runs;
     distances.assign(m_part->number_of_faces(), infinity());
     distances[source] = 0;
-    std::vector<Surface_part::Index> queue(1, source);
+    std::vector<Indexed_surface::Index> queue(1, source);
     for(std::size_t i = 0; i < queue.size(); ++i)
-      for(Surface_part::Index c = m_part->first_corner(queue[i]);
+      for(Indexed_surface::Index c = m_part->first_corner(queue[i]);
           c < m_part->first_corner(queue[i] + 1); ++c)
       {
-        const Surface_part::Index g = m_part->neighbor(c);
-        if(g == Surface_part::no_face() || distances[g] < infinity())
+        const Indexed_surface::Index g = m_part->neighbor(c);
+        if(g == Indexed_surface::no_face() || distances[g] < infinity())
           continue;
         distances[g] = distances[queue[i]] + 1;
         queue.push_back(g);
@@ -44,7 +44,7 @@ public:
 private:
   static constexpr double infinity() { return std::numeric_limits<double>::infinity(); }
 
-  const Surface_part* m_part;
+  const Indexed_surface* m_part;
   std::size_t m_number_of_runs = 0;
 };
 
@@ -55,7 +55,7 @@ public:
   Hop_distance(const Hop_distance&) = delete;
   Hop_distance& operator=(const Hop_distance&) = delete;
 
-  auto on(const Surface_part& part, unsigned int /* random_seed */) const
+  auto on(const Indexed_surface& part, unsigned int /* random_seed */) const
   {
     return Hop_distances(part);
   }
@@ -87,7 +87,7 @@ int main()
   const Test_mesh soup = star(3, 2, 0.2, 0.04, 0.25);
   const Mesh mesh = to_graph<Mesh>(soup);
   const Hop_distance distance(0);
-  const Histogram_border border;
+  const Histogram_method border;
   std::size_t calls = 0;
 
   const Segmentation found = checked(mesh, [&](auto ids)

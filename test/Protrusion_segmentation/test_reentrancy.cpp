@@ -34,8 +34,8 @@ int main()
   const Geodesic_distance geodesic;
   const Landmark_geodesic_distance landmark;
   const Diffusion_distance diffusion;
-  const Histogram_border histogram;
-  const Minimum_cut_border minimum_cut;
+  const Histogram_method histogram;
+  const Minimum_cut_method minimum_cut;
   const std::vector<std::function<Labels()>> methods = {
     [&]() { return labels(mesh, geodesic, minimum_cut); },
     [&]() { return labels(mesh, geodesic, histogram); },

@@ -3,11 +3,11 @@
 // The sectional-diameter histogram (Section III.D.2) on bodies whose sections are known circles.
 
 #include "check.h"
-#include "surface_parts.h"
+#include "indexed_surfaces.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/sectional_diameter_histogram.h>
-#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/sectional_diameter_histogram.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation::internal;
@@ -40,7 +40,7 @@ public:
   const Distance_histogram& counts() const { return m_slots.histogram(); }
 
 private:
-  static std::vector<double> distances_from_lowest(const Surface_part& part)
+  static std::vector<double> distances_from_lowest(const Indexed_surface& part)
   {
     Index lowest = 0;
     for(Index f = 0; f < part.number_of_faces(); ++f)
@@ -52,7 +52,7 @@ private:
     return distances;
   }
 
-  static std::array<double, number_of_slots> histogram(const Surface_part& part,
+  static std::array<double, number_of_slots> histogram(const Indexed_surface& part,
                                                        const std::vector<double>& distances,
                                                        const Slots& slots)
   {
@@ -60,7 +60,7 @@ private:
     return sectional_diameter_histogram(part, distances, slots, section);
   }
 
-  Surface_part m_part;
+  Indexed_surface m_part;
   std::vector<double> m_distances;
   Slots m_slots;
   std::array<double, number_of_slots> m_diameters;
@@ -76,7 +76,7 @@ void diameters_along_a_capsule_are_even()
     if(seen.counts().counts[slot] > 0 && std::abs(seen.height(slot)) < 3.5)
     {
       CHECK_CLOSE(seen.diameter(slot), 2 * radius, 0.05);
-      const Surface_part::Vector_3 normal = seen.plane(slot).normal;
+      const Indexed_surface::Vector_3 normal = seen.plane(slot).normal;
       CHECK(normal.z() > 0.95 * std::sqrt(normal.squared_length())); // points away from the tip
       ++slots_on_wall;
     }

@@ -49,13 +49,13 @@ void check_method(const Mesh& mesh, const Distance& distance, const Border& bord
 
 void check_valid(const Mesh& mesh)
 {
-  check_method(mesh, Geodesic_distance(), Minimum_cut_border());
-  check_method(mesh, Landmark_geodesic_distance(), Minimum_cut_border());
-  check_method(mesh, Geodesic_distance(), Histogram_border());
-  check_method(mesh, Landmark_geodesic_distance(), Histogram_border());
-  check_method(mesh, Geodesic_distance(), Histogram_border().uses_candidate_intervals(false)
+  check_method(mesh, Geodesic_distance(), Minimum_cut_method());
+  check_method(mesh, Landmark_geodesic_distance(), Minimum_cut_method());
+  check_method(mesh, Geodesic_distance(), Histogram_method());
+  check_method(mesh, Landmark_geodesic_distance(), Histogram_method());
+  check_method(mesh, Geodesic_distance(), Histogram_method().uses_candidate_intervals(false)
                                                             .minimum_prominence(1e-6));
-  check_method(mesh, Diffusion_distance(), Histogram_border());
+  check_method(mesh, Diffusion_distance(), Histogram_method());
 }
 
 void awkward_meshes_have_valid_segmentations()
@@ -138,7 +138,7 @@ void check_not_finite(const Number& bad)
   CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3), std::invalid_argument,
                     "vertex 20 has a coordinate that is not finite");
   CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3, Geodesic_distance(),
-                                                           Histogram_border()),
+                                                           Histogram_method()),
                     std::invalid_argument, "not finite");
   CHECK(is_untouched({0, ids.labels()}));
   std::vector<typename Bad_mesh::Face_index> tips;

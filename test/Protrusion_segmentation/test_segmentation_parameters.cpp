@@ -13,7 +13,7 @@ namespace parameters = CGAL::parameters;
 
 // Automatic number of segments.
 template <typename FaceGraph>
-Segmentation evident_protrusions(const FaceGraph& mesh, const Histogram_border& border = {})
+Segmentation evident_protrusions(const FaceGraph& mesh, const Histogram_method& border = {})
 {
   return checked(mesh, [&](auto ids)
   {
@@ -27,7 +27,7 @@ Segmentation landmark_segmentation(const Mesh& mesh, std::size_t k, unsigned int
 {
   return checked(mesh, [&](auto ids)
   {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, distance, Histogram_border(),
+    return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, distance, Histogram_method(),
                                                   parameters::random_seed(seed));
   });
 }
@@ -127,7 +127,7 @@ void impossible_numbers_of_segments_are_refused()
   const auto segment = [&](std::size_t k)
   {
     return CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Geodesic_distance(),
-                                                  Histogram_border());
+                                                  Histogram_method());
   };
   CHECK_THROWS_WITH(segment(0), std::invalid_argument, "number_of_segments is 0");
   CHECK_THROWS_WITH(segment(81), std::invalid_argument, "only 80 faces");
@@ -140,24 +140,24 @@ void impossible_numbers_of_segments_are_refused()
 void impossible_options_are_refused()
 {
   for(const double value : {0., -1., std::nan(""), HUGE_VAL})
-    CHECK_THROWS_WITH(Histogram_border().minimum_prominence(value), std::invalid_argument,
+    CHECK_THROWS_WITH(Histogram_method().minimum_prominence(value), std::invalid_argument,
                       "minimum_prominence");
-  CHECK_EQUAL(Histogram_border().minimum_prominence(0.5).minimum_prominence(), 0.5);
-  CHECK(!Histogram_border().uses_candidate_intervals(false).uses_candidate_intervals());
+  CHECK_EQUAL(Histogram_method().minimum_prominence(0.5).minimum_prominence(), 0.5);
+  CHECK(!Histogram_method().uses_candidate_intervals(false).uses_candidate_intervals());
 }
 
 void options_decide_what_is_evident()
 {
   const Mesh mesh = to_graph<Mesh>(capsule_with_ball(0.15));
-  CHECK_EQUAL(evident_protrusions(mesh, Histogram_border().minimum_prominence(5)).number, 1);
+  CHECK_EQUAL(evident_protrusions(mesh, Histogram_method().minimum_prominence(5)).number, 1);
   CHECK(evident_protrusions(mesh).number > 1);
-  CHECK(evident_protrusions(mesh, Histogram_border().uses_candidate_intervals(false)).number > 1);
+  CHECK(evident_protrusions(mesh, Histogram_method().uses_candidate_intervals(false)).number > 1);
   // however small or large it is, a number of segments that was asked for is tried for
   for(const double prominence : {1e-3, 0.01, 5.})
     CHECK_EQUAL(checked(mesh, [&](auto ids)
     {
       return CGAL::segmentation_via_protrusion_tips(
-        mesh, ids, 2, Geodesic_distance(), Histogram_border().minimum_prominence(prominence));
+        mesh, ids, 2, Geodesic_distance(), Histogram_method().minimum_prominence(prominence));
     }).number, 2);
 }
 

@@ -162,7 +162,7 @@ int main()
   a_visitor_is_told_what_is_found();
   visitors_are_copied_unless_passed_by_reference();
   a_visitor_stops_the_method_at_every_question();
-  exceptions_of_a_visitor_get_through(Histogram_border());
-  exceptions_of_a_visitor_get_through(Minimum_cut_border());
+  exceptions_of_a_visitor_get_through(Histogram_method());
+  exceptions_of_a_visitor_get_through(Minimum_cut_method());
   return check::result();
 }

@@ -3,11 +3,11 @@
 // Protrusion tips (Section III.C) are the faces of eq. (1) and eq. (2).
 
 #include "check.h"
-#include "surface_parts.h"
+#include "indexed_surfaces.h"
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/select_protrusion_tips.h>
+#include <CGAL/Protrusion_segmentation/internal/Tips/select_protrusion_tips.h>
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
@@ -16,14 +16,14 @@ using internal::Tip_selection;
 const auto all_plausible = [](Index) { return true; };
 const auto no_visit = [](Index, const std::vector<double>&) {};
 
-Tip_selection tips_of(const Surface_part& part, std::size_t count)
+Tip_selection tips_of(const Indexed_surface& part, std::size_t count)
 {
   auto distances = Geodesic_distance().on(part, 0);
   return internal::select_protrusion_tips(part, distances, count, all_plausible, no_visit);
 }
 
 // Each tip reaches the maximum of its equation, in the distances of all pairs.
-void check_equations(const Surface_part& part, std::size_t count)
+void check_equations(const Indexed_surface& part, std::size_t count)
 {
   const auto d = all_pairs_distances(part);
   const Tip_selection selection = tips_of(part, count);
@@ -56,7 +56,7 @@ void tips_of_a_star_are_at_the_ends_of_its_arms()
   for(const std::size_t arms : {3, 6, 9})
   {
     const Test_mesh mesh = star(arms);
-    const Surface_part part = to_surface_part(mesh);
+    const Indexed_surface part = to_surface_part(mesh);
     std::set<std::size_t> parts;
     for(const Index tip : tips_of(part, arms).tips)
     {
@@ -81,7 +81,7 @@ void selection_ends_where_no_face_is_left()
 
 void implausible_tips_are_eliminated_and_counted()
 {
-  const Surface_part part = to_surface_part(bumpy_sphere(3, 4));
+  const Indexed_surface part = to_surface_part(bumpy_sphere(3, 4));
   const std::vector<Index> all = tips_of(part, 7).tips;
   const auto is_plausible = [&](Index face)
   {
@@ -104,7 +104,7 @@ void implausible_tips_are_eliminated_and_counted()
 
 void each_tip_is_visited_with_its_distances()
 {
-  const Surface_part part = to_surface_part(bumpy_sphere(3, 5));
+  const Indexed_surface part = to_surface_part(bumpy_sphere(3, 5));
   auto distances = Geodesic_distance().on(part, 0);
   distances.face_of_largest_sum();
   const std::size_t runs_of_search = distances.number_of_runs();
@@ -135,7 +135,7 @@ struct Plain_distances
 
 void distances_without_a_search_take_all_pairs()
 {
-  const Surface_part part = to_surface_part(random_surface(11));
+  const Indexed_surface part = to_surface_part(random_surface(11));
   Plain_distances plain = {internal::Shortest_distances(part)};
   const Tip_selection selection =
     internal::select_protrusion_tips(part, plain, 3, all_plausible, no_visit);

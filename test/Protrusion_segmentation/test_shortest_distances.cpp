@@ -4,23 +4,23 @@
 // within rounding, Dijkstra's algorithm of the Boost Graph Library to the last bit.
 
 #include "check.h"
-#include "surface_parts.h"
+#include "indexed_surfaces.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 
 using namespace test_meshes;
 using CGAL::Protrusion_segmentation::internal::Shortest_distances;
 
-std::vector<double> boost_distances(const Surface_part& part, Index source)
+std::vector<double> boost_distances(const Indexed_surface& part, Index source)
 {
   const auto& graph = part.dual_graph();
   std::vector<double> distances(part.number_of_faces());
   boost::dijkstra_shortest_paths(
     graph, source,
-    boost::weight_map(get(&Surface_part::Arc::length, graph))
+    boost::weight_map(get(&Indexed_surface::Arc::length, graph))
       .distance_map(boost::make_iterator_property_map(distances.begin(),
                                                       get(boost::vertex_index, graph)))
       .distance_inf(infinity));
@@ -29,7 +29,7 @@ std::vector<double> boost_distances(const Surface_part& part, Index source)
 
 void check_bitwise(const Test_mesh& mesh, std::size_t number_of_sources = 10)
 {
-  const Surface_part part = to_surface_part(mesh);
+  const Indexed_surface part = to_surface_part(mesh);
   Shortest_distances shortest(part);
   std::vector<double> distances;
   const Index step = Index(1 + (part.number_of_faces() - 1) / number_of_sources);
@@ -44,7 +44,7 @@ void equals_floyd_warshall()
 {
   for(std::uint_fast32_t seed = 0; seed < 20; ++seed)
   {
-    const Surface_part part = to_surface_part(random_surface(seed));
+    const Indexed_surface part = to_surface_part(random_surface(seed));
     const auto expected = all_pairs_distances(part);
     Shortest_distances shortest(part);
     std::vector<double> distances;
@@ -102,7 +102,7 @@ void zero_length_arcs_are_passed()
   check_bitwise(mesh);
 
   check_bitwise(scaled(mesh, 0)); // all faces in one point
-  const Surface_part point = to_surface_part(scaled(mesh, 0));
+  const Indexed_surface point = to_surface_part(scaled(mesh, 0));
   std::vector<double> distances;
   Shortest_distances shortest(point);
   shortest(5, distances);
@@ -112,7 +112,7 @@ void zero_length_arcs_are_passed()
 void other_components_are_unreachable()
 {
   const Test_mesh one = icosphere(1);
-  const Surface_part part = to_surface_part(merged({one, translated(one, {5, 0, 0})}));
+  const Indexed_surface part = to_surface_part(merged({one, translated(one, {5, 0, 0})}));
   std::vector<double> distances;
   Shortest_distances shortest(part);
   shortest(0, distances);
@@ -126,7 +126,7 @@ void a_bound_changes_no_distance_within_it()
 {
   for(std::uint_fast32_t seed = 0; seed < 50; ++seed)
   {
-    const Surface_part part = to_surface_part(random_surface(seed));
+    const Indexed_surface part = to_surface_part(random_surface(seed));
     Shortest_distances shortest(part);
     std::vector<double> all, bounded;
     shortest(0, all);
@@ -144,7 +144,7 @@ void a_bound_changes_no_distance_within_it()
 
 void a_bound_saves_work()
 {
-  const Surface_part part = to_surface_part(bumpy_sphere(5, 1));
+  const Indexed_surface part = to_surface_part(bumpy_sphere(5, 1));
   Shortest_distances shortest(part);
   std::vector<double> distances;
   shortest(0, distances, 0.2);
@@ -157,7 +157,7 @@ void faces_are_scanned_about_once()
   for(const Test_mesh& mesh : {bumpy_sphere(5, 1), triangulated(torus(2, 0.5, 200, 60)),
                                sheet(100, 100), height_field(80, 80, 3)})
   {
-    const Surface_part part = to_surface_part(mesh);
+    const Indexed_surface part = to_surface_part(mesh);
     Shortest_distances shortest(part);
     std::vector<double> distances;
     for(Index source : {Index(0), part.number_of_faces() / 2})

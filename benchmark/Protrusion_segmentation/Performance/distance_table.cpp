@@ -16,16 +16,16 @@
 namespace {
 
 namespace PS = CGAL::Protrusion_segmentation;
-using Index = PS::Surface_part::Index;
+using Index = PS::Indexed_surface::Index;
 
 // GD by the paper's procedure: the sums of eq. (1) from all pairs.
 class All_pairs_distance
 {
 public:
-  class On_part : public PS::internal::Shortest_distances
+  class On_surface : public PS::internal::Shortest_distances
   {
   public:
-    explicit On_part(const PS::Surface_part& part)
+    explicit On_surface(const PS::Indexed_surface& part)
       : PS::internal::Shortest_distances(part), m_part(part)
     {}
 
@@ -35,10 +35,10 @@ public:
     }
 
   private:
-    const PS::Surface_part& m_part;
+    const PS::Indexed_surface& m_part;
   };
 
-  On_part on(const PS::Surface_part& part, unsigned int) const { return On_part(part); }
+  On_surface on(const PS::Indexed_surface& part, unsigned int) const { return On_surface(part); }
 };
 
 struct Run_counter : PS::Default_visitor
@@ -65,7 +65,7 @@ Measurement measure(const Model& model, const Distance& distance, std::size_t re
                  counter.runs = 0;
                  CGAL::segmentation_via_protrusion_tips(
                    model.mesh, CGAL::make_property_map(labels), model.number_of_segments, distance,
-                   PS::Histogram_border(), CGAL::parameters::visitor(std::ref(counter)));
+                   PS::Histogram_method(), CGAL::parameters::visitor(std::ref(counter)));
                });
   return {seconds, counter.runs};
 }

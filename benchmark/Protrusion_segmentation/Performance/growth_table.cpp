@@ -4,7 +4,7 @@
 #include "tables.h"
 
 #include <CGAL/Protrusion_segmentation/internal/segment_mesh.h>
-#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <iostream>
@@ -20,8 +20,8 @@ double nanoseconds_per_run(const Mesh& mesh)
   const PS::internal::Canonical_surface surface(mesh, CGAL::parameters::default_values());
   PS::internal::Shortest_distances shortest_distances(surface.part);
   std::vector<double> distances;
-  PS::Surface_part::Index source = 0;
-  const PS::Surface_part::Index n = surface.part.number_of_faces();
+  PS::Indexed_surface::Index source = 0;
+  const PS::Indexed_surface::Index n = surface.part.number_of_faces();
   return 1e9 / n *
          seconds_of(10,
                     [&]

@@ -5,10 +5,10 @@
 //   kernel_benchmark [--benchmark_filter=REGEX] [--benchmark_repetitions=N]
 
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/largest_distance_sum.h>
-#include <CGAL/Protrusion_segmentation/internal/make_surface_part.h>
-#include <CGAL/Protrusion_segmentation/internal/sectional_diameter_histogram.h>
-#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/read_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/sectional_diameter_histogram.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -25,7 +25,7 @@
 namespace {
 
 namespace PS = CGAL::Protrusion_segmentation;
-using Index = PS::Surface_part::Index;
+using Index = PS::Indexed_surface::Index;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 // A sphere of 20 * 4^level faces with six bumps.
@@ -49,21 +49,21 @@ Mesh bumpy_sphere(int level)
 
 auto surface(const benchmark::State& state)
 {
-  return PS::internal::make_surface_part(bumpy_sphere(int(state.range(0))),
+  return PS::internal::read_surface(bumpy_sphere(int(state.range(0))),
                                          CGAL::parameters::default_values());
 }
 
-void count_faces(benchmark::State& state, const PS::Surface_part& part)
+void count_faces(benchmark::State& state, const PS::Indexed_surface& part)
 {
   state.SetItemsProcessed(state.iterations() * part.number_of_faces());
 }
 
-void make_surface_part(benchmark::State& state)
+void read_surface(benchmark::State& state)
 {
   const Mesh mesh = bumpy_sphere(int(state.range(0)));
   for(auto _ : state)
     benchmark::DoNotOptimize(
-      PS::internal::make_surface_part(mesh, CGAL::parameters::default_values()));
+      PS::internal::read_surface(mesh, CGAL::parameters::default_values()));
   state.SetItemsProcessed(state.iterations() * std::int64_t(mesh.number_of_faces()));
 }
 
@@ -85,7 +85,7 @@ void shortest_distances_of_boost(benchmark::State& state)
   for(auto _ : state)
     boost::dijkstra_shortest_paths_no_color_map(
       graph, Index(0),
-      boost::weight_map(get(&PS::Surface_part::Arc::length, graph))
+      boost::weight_map(get(&PS::Indexed_surface::Arc::length, graph))
         .distance_map(boost::make_iterator_property_map(distances.begin(),
                                                         get(boost::vertex_index, graph))));
   count_faces(state, input.surface);
@@ -125,7 +125,7 @@ void sections_of_a_tip(benchmark::State& state)
   count_faces(state, input.surface);
 }
 
-BENCHMARK(make_surface_part)->DenseRange(4, 6)->Unit(benchmark::kMillisecond);
+BENCHMARK(read_surface)->DenseRange(4, 6)->Unit(benchmark::kMillisecond);
 BENCHMARK(shortest_distances)->DenseRange(4, 7)->Unit(benchmark::kMillisecond);
 BENCHMARK(shortest_distances_of_boost)->DenseRange(4, 7)->Unit(benchmark::kMillisecond);
 BENCHMARK(face_of_largest_sum)->DenseRange(4, 6)->Unit(benchmark::kMillisecond);

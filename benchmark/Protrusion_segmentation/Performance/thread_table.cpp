@@ -33,8 +33,8 @@ void print_row(const Markdown_table& table, const std::string& name, const Optio
 void print_rows(const Options& options, const Benchmark_folder& folder, const Markdown_table& table)
 {
   const Model model = folder.read_model(393);
-  const auto input = PS::internal::make_surface_part(model.mesh, CGAL::parameters::default_values());
-  const PS::Surface_part& part = input.surface;
+  const auto input = PS::internal::read_surface(model.mesh, CGAL::parameters::default_values());
+  const PS::Indexed_surface& part = input.surface;
   print_row(table, "distances from the landmarks of LGD(5)", options, [&](auto tag)
             { PS::Landmark_geodesic_distance(0.05).concurrency_tag(tag).on(part, 0); });
 
@@ -58,7 +58,7 @@ void print_rows(const Options& options, const Benchmark_folder& folder, const Ma
               CGAL::segmentation_via_protrusion_tips(
                 model.mesh, CGAL::make_property_map(labels), model.number_of_segments,
                 PS::Landmark_geodesic_distance(0.05).concurrency_tag(tag),
-                PS::Histogram_border().concurrency_tag(tag));
+                PS::Histogram_method().concurrency_tag(tag));
             });
 }
 

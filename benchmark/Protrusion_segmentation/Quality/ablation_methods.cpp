@@ -17,7 +17,7 @@ struct Border_with_ingredients
   PS::internal::Cut_ingredients ingredients;
 
   template <typename Distance, typename Visitor>
-  PS::internal::Segment_forest segment(const PS::Surface_part& surface, const Distance& distance,
+  PS::internal::Nested_segments segment(const PS::Indexed_surface& surface, const Distance& distance,
                                        std::optional<std::size_t> number_of_segments,
                                        PS::internal::Monitor<Visitor>& monitor) const
   {

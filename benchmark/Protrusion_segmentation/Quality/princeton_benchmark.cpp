@@ -16,7 +16,7 @@
 #include "methods.h"
 #include "reports.h"
 
-#include <CGAL/Protrusion_segmentation/internal/write_complete_file.h>
+#include <CGAL/Protrusion_segmentation/internal/IO/write_complete_file.h>
 
 #include <CLI/CLI.hpp>
 

@@ -40,7 +40,7 @@ Segmentation_method diffusion_of_segments(const std::string& name)
 {
   return {name, [name](const Mesh& mesh, std::size_t k, unsigned int seed)
           {
-            return method(name, PS::Diffusion_distance(k), PS::Histogram_border()).segment(mesh, k, seed);
+            return method(name, PS::Diffusion_distance(k), PS::Histogram_method()).segment(mesh, k, seed);
           }};
 }
 
@@ -55,8 +55,8 @@ Segmentation_method if_named(Segmentation_method method)
 std::vector<Segmentation_method> protrusion_methods()
 {
   const PS::Geodesic_distance geodesic;
-  const PS::Minimum_cut_border minimum_cut;
-  const PS::Histogram_border histogram;
+  const PS::Minimum_cut_method minimum_cut;
+  const PS::Histogram_method histogram;
   const PS::Heat_distance heat;
   const PS::Exact_geodesic_distance exact;
   return {method("Minimum-cut", geodesic, minimum_cut),
@@ -66,7 +66,7 @@ std::vector<Segmentation_method> protrusion_methods()
           if_named(method("Minimum-cut-exact", exact, minimum_cut)),
           method("Paper-GD", geodesic, histogram),
           method("Paper-GD-no-intervals", geodesic,
-                 PS::Histogram_border().uses_candidate_intervals(false)),
+                 PS::Histogram_method().uses_candidate_intervals(false)),
           automatic("Paper-GD-automatic", geodesic, histogram),
           method("Paper-LGD(1)", PS::Landmark_geodesic_distance(0.01), histogram),
           method("Paper-LGD(5)", PS::Landmark_geodesic_distance(0.05), histogram),

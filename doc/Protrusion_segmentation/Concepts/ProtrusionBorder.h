@@ -7,13 +7,13 @@ protrusion and what it sticks out of, and by it splits a surface into segments. 
 the method and is used by the functions of this package alone.
 
 The types that it works with are those of the implementation, in the namespace `internal`: a
-`Segment_forest` holds the segment of every face and from which segment each was cut, and begins with one
+`Nested_segments` holds the segment of every face and from which segment each was cut, and begins with one
 segment per connected component; a `Monitor` knows the visitor and stops the segmentation. They may change from
 release to release, unlike those of a `ProtrusionDistance`.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Protrusion_segmentation::Minimum_cut_border}
-\cgalHasModels{CGAL::Protrusion_segmentation::Histogram_border}
+\cgalHasModels{CGAL::Protrusion_segmentation::Minimum_cut_method}
+\cgalHasModels{CGAL::Protrusion_segmentation::Histogram_method}
 \cgalHasModelsEnd
 */
 class ProtrusionBorder
@@ -34,8 +34,8 @@ public:
   \return the segments, each of them connected
   */
   template <typename Distance, typename Visitor>
-  CGAL::Protrusion_segmentation::internal::Segment_forest
-  segment(const CGAL::Protrusion_segmentation::Surface_part& surface,
+  CGAL::Protrusion_segmentation::internal::Nested_segments
+  segment(const CGAL::Protrusion_segmentation::Indexed_surface& surface,
           const Distance& distance,
           std::optional<std::size_t> number_of_segments,
           CGAL::Protrusion_segmentation::internal::Monitor<Visitor>& monitor) const;
@@ -51,9 +51,9 @@ public:
   \return the segments, each of them connected, at most one for each tip and one for each component
   */
   template <typename Distance, typename Visitor>
-  CGAL::Protrusion_segmentation::internal::Segment_forest
-  segment_from_tips(const CGAL::Protrusion_segmentation::Surface_part& surface,
+  CGAL::Protrusion_segmentation::internal::Nested_segments
+  segment_from_tips(const CGAL::Protrusion_segmentation::Indexed_surface& surface,
                     const Distance& distance,
-                    const std::vector<CGAL::Protrusion_segmentation::Surface_part::Index>& tips,
+                    const std::vector<CGAL::Protrusion_segmentation::Indexed_surface::Index>& tips,
                     CGAL::Protrusion_segmentation::internal::Monitor<Visitor>& monitor) const;
 };

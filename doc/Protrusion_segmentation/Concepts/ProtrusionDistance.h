@@ -14,15 +14,15 @@ options of the distance and makes from them the distances on each part of a surf
 \cgalHasModels{CGAL::Protrusion_segmentation::Exact_geodesic_distance}
 \cgalHasModelsEnd
 
-\sa `ProtrusionDistancesOnPart`
+\sa `ProtrusionDistancesOnSurface`
 */
 class ProtrusionDistance
 {
 public:
   /*!
-  A model of `ProtrusionDistancesOnPart`.
+  A model of `ProtrusionDistancesOnSurface`.
   */
-  typedef unspecified_type On_part;
+  typedef unspecified_type On_surface;
 
   /*!
   prepares the distances on a part.
@@ -36,5 +36,5 @@ public:
 
   \return the distances on `part`
   */
-  On_part on(const CGAL::Protrusion_segmentation::Surface_part& part, unsigned int random_seed) const;
+  On_surface on(const CGAL::Protrusion_segmentation::Indexed_surface& part, unsigned int random_seed) const;
 };

@@ -6,8 +6,8 @@
 #ifndef CGAL_IO_SEG_H
 #define CGAL_IO_SEG_H
 
-#include <CGAL/Protrusion_segmentation/internal/segment_file.h>
-#include <CGAL/Protrusion_segmentation/internal/write_complete_file.h>
+#include <CGAL/Protrusion_segmentation/internal/IO/segment_file.h>
+#include <CGAL/Protrusion_segmentation/internal/IO/write_complete_file.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>

@@ -9,10 +9,10 @@
 #error "Diffusion_distance.h needs the header libraries Eigen and Spectra (Debian: libspectra-dev)"
 #endif
 
-#include <CGAL/Protrusion_segmentation/Surface_part.h>
-#include <CGAL/Protrusion_segmentation/internal/diffusion_map.h>
-#include <CGAL/Protrusion_segmentation/internal/largest_distance_sum.h>
-#include <CGAL/Protrusion_segmentation/internal/random_walk.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/diffusion_map.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/random_walk.h>
 
 #include <Eigen/Core>
 
@@ -65,11 +65,11 @@ class Diffusion_distance
 {
 public:
   /// the distances on one part
-  /// \cgalModels{ProtrusionDistancesOnPart}
-  class On_part
+  /// \cgalModels{ProtrusionDistancesOnSurface}
+  class On_surface
   {
   public:
-    On_part(const Surface_part& part, std::size_t number_of_eigenpairs, double time) : m_part(part)
+    On_surface(const Indexed_surface& part, std::size_t number_of_eigenpairs, double time) : m_part(part)
     {
       const internal::Random_walk walk = internal::make_random_walk(part);
       const internal::Eigenpairs pairs = internal::eigenpairs(walk, number_of_eigenpairs);
@@ -83,16 +83,16 @@ public:
     /// computes the distances from a face.
     /// \param source the face
     /// \param distances is filled with the distances of all faces
-    void operator()(Surface_part::Index source, std::vector<double>& distances)
+    void operator()(Indexed_surface::Index source, std::vector<double>& distances)
     {
       ++m_number_of_runs;
       distances.resize(m_part.number_of_faces());
       const Eigen::VectorXd from = m_points.col(source);
-      for (Surface_part::Index f = 0; f < m_part.number_of_faces(); ++f)
+      for (Indexed_surface::Index f = 0; f < m_part.number_of_faces(); ++f)
         distances[f] = (m_points.col(f) - from).norm();
     }
     /// \return the face of eq. (1), found exactly: the distance is a metric
-    Surface_part::Index face_of_largest_sum() { return internal::largest_distance_sum(m_part, *this); }
+    Indexed_surface::Index face_of_largest_sum() { return internal::largest_distance_sum(m_part, *this); }
     /// \return from how many faces distances were computed so far
     std::size_t number_of_runs() const { return m_number_of_runs; }
 
@@ -101,7 +101,7 @@ public:
     std::size_t number_of_eigenpairs() const { return static_cast<std::size_t>(m_points.rows()); }
 
   private:
-    const Surface_part& m_part;
+    const Indexed_surface& m_part;
     Eigen::MatrixXd m_points; // of each face its coordinates, whose Euclidean distances are the distances
     std::size_t m_number_of_runs = 0;
   };
@@ -132,9 +132,9 @@ public:
   /// \param part the part, which must outlive the result
   /// \return the distances on it
   /// \throw std::runtime_error if the eigenvalue solver does not converge
-  On_part on(const Surface_part& part, unsigned int /* random_seed */) const
+  On_surface on(const Indexed_surface& part, unsigned int /* random_seed */) const
   {
-    return On_part(part, m_number_of_eigenpairs, m_time);
+    return On_surface(part, m_number_of_eigenpairs, m_time);
   }
 
 private:

@@ -5,10 +5,10 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_EXACT_GEODESIC_DISTANCE_H
 #define CGAL_PROTRUSION_SEGMENTATION_EXACT_GEODESIC_DISTANCE_H
 
-#include <CGAL/Protrusion_segmentation/Surface_part.h>
-#include <CGAL/Protrusion_segmentation/internal/largest_distance_sum.h>
-#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
-#include <CGAL/Protrusion_segmentation/internal/triangulate_part.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/triangulate_surface.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
@@ -43,26 +43,26 @@ class Exact_geodesic_distance
 {
 public:
   /// the distances on one part
-  /// \cgalModels{ProtrusionDistancesOnPart}
-  class On_part
+  /// \cgalModels{ProtrusionDistancesOnSurface}
+  class On_surface
   {
   public:
-    explicit On_part(const Surface_part& part)
+    explicit On_surface(const Indexed_surface& part)
       : m_part(part),
-        m_triangulated(std::make_unique<Triangulated>(internal::Part_triangulator<Point>(part)())),
+        m_triangulated(std::make_unique<Triangulated>(internal::Surface_triangulator<Point>(part)())),
         m_shortest_distances(part)
     {
       if (!(part.area() > 0) || !internal::widen_flat_triangles(m_triangulated->mesh))
         return;
       m_paths = std::make_unique<Paths>(m_triangulated->mesh);
-      for (Surface_part::Index f = 0; f < part.number_of_faces(); ++f)
+      for (Indexed_surface::Index f = 0; f < part.number_of_faces(); ++f)
         m_centroids.push_back(locate_centroid(f));
     }
 
     /// computes the distances from a face.
     /// \param source the face
     /// \param distances is filled with the distances of all faces
-    void operator()(Surface_part::Index source, std::vector<double>& distances)
+    void operator()(Indexed_surface::Index source, std::vector<double>& distances)
     {
       ++m_number_of_runs;
       m_shortest_distances(source, distances);
@@ -70,7 +70,7 @@ public:
         return;
       m_paths->remove_all_source_points();
       m_paths->add_source_point(m_centroids[source].triangle, m_centroids[source].coordinates);
-      for (Surface_part::Index f = 0; f < m_part.number_of_faces(); ++f)
+      for (Indexed_surface::Index f = 0; f < m_part.number_of_faces(); ++f)
         if (has_triangle(f))
         {
           const double distance =
@@ -82,14 +82,14 @@ public:
       distances[source] = 0;
     }
     /// \return the face of eq. (1), found exactly: the distance is a metric
-    Surface_part::Index face_of_largest_sum() { return internal::largest_distance_sum(m_part, *this); }
+    Indexed_surface::Index face_of_largest_sum() { return internal::largest_distance_sum(m_part, *this); }
     /// \return from how many faces distances were computed so far
     std::size_t number_of_runs() const { return m_number_of_runs; }
 
   private:
     using Kernel = Exact_predicates_inexact_constructions_kernel;
     using Point = Kernel::Point_3;
-    using Triangulated = internal::Triangulated_part<Point>;
+    using Triangulated = internal::Triangulated_surface<Point>;
     using Mesh = Surface_mesh<Point>;
     using Traits = Surface_mesh_shortest_path_traits<Kernel, Mesh>;
     using Paths = Surface_mesh_shortest_path<Traits>;
@@ -100,14 +100,14 @@ public:
       Traits::Barycentric_coordinates coordinates;
     };
 
-    bool has_triangle(Surface_part::Index f) const
+    bool has_triangle(Indexed_surface::Index f) const
     {
       return m_triangulated->first_triangle[f] < m_triangulated->first_triangle[f + 1];
     }
 
     // The centroid of a face in the triangle of its fan that holds it, or holds it best where the fan
     // overlaps or misses it.
-    Location locate_centroid(Surface_part::Index f) const
+    Location locate_centroid(Indexed_surface::Index f) const
     {
       Location best;
       double best_margin = -(std::numeric_limits<double>::infinity)();
@@ -133,7 +133,7 @@ public:
     // Barycentric coordinates of the projection of a point, in the order of the corners that
     // `Surface_mesh_shortest_path` uses.
     std::array<double, 3> weights_in_triangle(Mesh::Face_index triangle,
-                                              const Surface_part::Point_3& centroid) const
+                                              const Indexed_surface::Point_3& centroid) const
     {
       const Mesh& mesh = m_triangulated->mesh;
       const auto h = mesh.halfedge(triangle);
@@ -148,8 +148,8 @@ public:
       return weights;
     }
 
-    const Surface_part& m_part;
-    std::unique_ptr<Triangulated> m_triangulated; // where it is when an `On_part` is moved
+    const Indexed_surface& m_part;
+    std::unique_ptr<Triangulated> m_triangulated; // where it is when an `On_surface` is moved
     std::unique_ptr<Paths> m_paths;               // refers to the mesh; none where it cannot work
     std::vector<Location> m_centroids;
     internal::Shortest_distances m_shortest_distances;
@@ -159,7 +159,7 @@ public:
   /// prepares the distances on a connected part.
   /// \param part the part, which must outlive the result
   /// \return the distances on it
-  On_part on(const Surface_part& part, unsigned int /* random_seed */) const { return On_part(part); }
+  On_surface on(const Indexed_surface& part, unsigned int /* random_seed */) const { return On_surface(part); }
 };
 
 } // namespace Protrusion_segmentation

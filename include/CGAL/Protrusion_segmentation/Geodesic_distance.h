@@ -5,9 +5,9 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_GEODESIC_DISTANCE_H
 #define CGAL_PROTRUSION_SEGMENTATION_GEODESIC_DISTANCE_H
 
-#include <CGAL/Protrusion_segmentation/Surface_part.h>
-#include <CGAL/Protrusion_segmentation/internal/largest_distance_sum.h>
-#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 
 #include <cstddef>
 #include <stdexcept>
@@ -32,14 +32,14 @@ class Geodesic_distance
 {
 public:
   /// the distances on one part
-  /// \cgalModels{ProtrusionDistancesOnPart}
-  class On_part
+  /// \cgalModels{ProtrusionDistancesOnSurface}
+  class On_surface
   {
   public:
     /// prepares the distances on a part.
     /// \param part the part, which must outlive the object
     /// \param maximum_number_of_visits see `Geodesic_distance::maximum_number_of_visits()`
-    On_part(const Surface_part& part, std::size_t maximum_number_of_visits)
+    On_surface(const Indexed_surface& part, std::size_t maximum_number_of_visits)
       : m_part(part),
         m_maximum_number_of_visits(maximum_number_of_visits),
         m_shortest_distances(part)
@@ -48,7 +48,7 @@ public:
     /// computes the distances from a face.
     /// \param source the face
     /// \param distances is filled with the distances of all faces
-    void operator()(Surface_part::Index source, std::vector<double>& distances)
+    void operator()(Indexed_surface::Index source, std::vector<double>& distances)
     {
       m_shortest_distances(source, distances);
     }
@@ -56,12 +56,12 @@ public:
     /// \param source the face
     /// \param distances is filled with the distances of all faces; those above `bound` may be infinite
     /// \param bound the largest distance of interest
-    void operator()(Surface_part::Index source, std::vector<double>& distances, double bound)
+    void operator()(Indexed_surface::Index source, std::vector<double>& distances, double bound)
     {
       m_shortest_distances(source, distances, bound);
     }
     /// \return the face of eq. (1)
-    Surface_part::Index face_of_largest_sum()
+    Indexed_surface::Index face_of_largest_sum()
     {
       using Search = internal::Largest_distance_sum<internal::Shortest_distances>;
       return Search(m_part, m_shortest_distances)(m_maximum_number_of_visits);
@@ -70,7 +70,7 @@ public:
     std::size_t number_of_runs() const { return m_shortest_distances.number_of_runs(); }
 
   private:
-    const Surface_part& m_part;
+    const Indexed_surface& m_part;
     std::size_t m_maximum_number_of_visits;
     internal::Shortest_distances m_shortest_distances;
   };
@@ -96,9 +96,9 @@ public:
   /// prepares the distances on a connected part, in linear time.
   /// \param part the part, which must outlive the result
   /// \return the distances on it
-  On_part on(const Surface_part& part, unsigned int /* random_seed */) const
+  On_surface on(const Indexed_surface& part, unsigned int /* random_seed */) const
   {
-    return On_part(part, m_maximum_number_of_visits);
+    return On_surface(part, m_maximum_number_of_visits);
   }
 
 private:

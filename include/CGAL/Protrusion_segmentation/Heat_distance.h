@@ -12,10 +12,10 @@
 #define CGAL_EIGEN3_ENABLED 1 // or else the solvers of CGAL hide those of Eigen
 #endif
 
-#include <CGAL/Protrusion_segmentation/Surface_part.h>
-#include <CGAL/Protrusion_segmentation/internal/largest_distance_sum.h>
-#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
-#include <CGAL/Protrusion_segmentation/internal/triangulate_part.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/triangulate_surface.h>
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 
@@ -53,13 +53,13 @@ class Heat_distance
 {
 public:
   /// the distances on one part
-  /// \cgalModels{ProtrusionDistancesOnPart}
-  class On_part
+  /// \cgalModels{ProtrusionDistancesOnSurface}
+  class On_surface
   {
   public:
-    explicit On_part(const Surface_part& part)
+    explicit On_surface(const Indexed_surface& part)
       : m_part(part),
-        m_triangulated(std::make_unique<Triangulated>(internal::Part_triangulator<Point>(part)())),
+        m_triangulated(std::make_unique<Triangulated>(internal::Surface_triangulator<Point>(part)())),
         m_shortest_distances(part)
     {
       if (part.area() > 0 && internal::widen_flat_triangles(m_triangulated->mesh))
@@ -69,27 +69,27 @@ public:
     /// computes the distances from a face.
     /// \param source the face
     /// \param distances is filled with the distances of all faces
-    void operator()(Surface_part::Index source, std::vector<double>& distances)
+    void operator()(Indexed_surface::Index source, std::vector<double>& distances)
     {
       ++m_number_of_runs;
       if (!heat_distances(source, distances))
         m_shortest_distances(source, distances);
     }
     /// \return the face of eq. (1), up to the error of the distances
-    Surface_part::Index face_of_largest_sum() { return internal::largest_distance_sum(m_part, *this); }
+    Indexed_surface::Index face_of_largest_sum() { return internal::largest_distance_sum(m_part, *this); }
     /// \return from how many faces distances were computed so far
     std::size_t number_of_runs() const { return m_number_of_runs; }
 
   private:
-    using Point = Surface_part::Point_3;
-    using Triangulated = internal::Triangulated_part<Point>;
+    using Point = Indexed_surface::Point_3;
+    using Triangulated = internal::Triangulated_surface<Point>;
     using Mesh = Surface_mesh<Point>;
     using Heat_method =
       Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Heat_method_3::Direct>;
 
     // Calls `visit` with the vertices of the triangles of a face.
     template <typename Visit>
-    void visit_vertices(Surface_part::Index face, Visit visit) const
+    void visit_vertices(Indexed_surface::Index face, Visit visit) const
     {
       const Mesh& mesh = m_triangulated->mesh;
       for (auto t = m_triangulated->first_triangle[face]; t < m_triangulated->first_triangle[face + 1]; ++t)
@@ -99,7 +99,7 @@ public:
     }
 
     // Returns whether all distances are numbers.
-    bool heat_distances(Surface_part::Index source, std::vector<double>& distances)
+    bool heat_distances(Indexed_surface::Index source, std::vector<double>& distances)
     {
       if (!m_heat_method)
         return false;
@@ -109,7 +109,7 @@ public:
       m_heat_method->estimate_geodesic_distances(
         boost::make_iterator_property_map(m_of_vertex.begin(), get(vertex_index, m_triangulated->mesh)));
       distances.assign(m_part.number_of_faces(), 0);
-      for (Surface_part::Index f = 0; f < m_part.number_of_faces(); ++f)
+      for (Indexed_surface::Index f = 0; f < m_part.number_of_faces(); ++f)
       {
         std::size_t count = 0;
         visit_vertices(f, [&](Mesh::Vertex_index v)
@@ -121,8 +121,8 @@ public:
       return true;
     }
 
-    const Surface_part& m_part;
-    std::unique_ptr<Triangulated> m_triangulated; // where it is when an `On_part` is moved
+    const Indexed_surface& m_part;
+    std::unique_ptr<Triangulated> m_triangulated; // where it is when an `On_surface` is moved
     std::unique_ptr<Heat_method> m_heat_method;   // refers to the mesh; none where it cannot work
     internal::Shortest_distances m_shortest_distances;
     std::vector<double> m_of_vertex;
@@ -133,7 +133,7 @@ public:
   /// \param part the part, which must outlive the result
   /// \return the distances on it
   /// \throw CGAL::Failure_exception if a matrix cannot be factorized
-  On_part on(const Surface_part& part, unsigned int /* random_seed */) const { return On_part(part); }
+  On_surface on(const Indexed_surface& part, unsigned int /* random_seed */) const { return On_surface(part); }
 };
 
 } // namespace Protrusion_segmentation

@@ -5,12 +5,12 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_LANDMARK_GEODESIC_DISTANCE_H
 #define CGAL_PROTRUSION_SEGMENTATION_LANDMARK_GEODESIC_DISTANCE_H
 
-#include <CGAL/Protrusion_segmentation/Surface_part.h>
-#include <CGAL/Protrusion_segmentation/internal/Nearest_landmarks.h>
-#include <CGAL/Protrusion_segmentation/internal/for_each_index.h>
-#include <CGAL/Protrusion_segmentation/internal/largest_distance_sum.h>
-#include <CGAL/Protrusion_segmentation/internal/select_landmarks.h>
-#include <CGAL/Protrusion_segmentation/internal/shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Nearest_landmarks.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/select_landmarks.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 
 #include <cmath>
 #include <cstddef>
@@ -41,11 +41,11 @@ class Landmark_geodesic_distance
 {
 public:
   /// the distances on one part
-  /// \cgalModels{ProtrusionDistancesOnPart}
-  class On_part
+  /// \cgalModels{ProtrusionDistancesOnSurface}
+  class On_surface
   {
   public:
-    On_part(const Surface_part& part,
+    On_surface(const Indexed_surface& part,
             std::size_t number_of_landmarks,
             unsigned int random_seed,
             bool is_parallel)
@@ -59,7 +59,7 @@ public:
     /// computes the distances from a face.
     /// \param source the face
     /// \param distances is filled with the distances of all faces
-    void operator()(Surface_part::Index source, std::vector<double>& distances)
+    void operator()(Indexed_surface::Index source, std::vector<double>& distances)
     {
       m_shortest_distances(m_landmarks[m_nearest.landmark(source)], distances);
       for (double& d : distances)
@@ -68,7 +68,7 @@ public:
     }
 
     /// \return the face of eq. (1)
-    Surface_part::Index face_of_largest_sum() const { return m_face_of_largest_sum; }
+    Indexed_surface::Index face_of_largest_sum() const { return m_face_of_largest_sum; }
     /// \return how many shortest path computations there were so far
     std::size_t number_of_runs() const
     {
@@ -77,7 +77,7 @@ public:
 
   private:
     // Steps 2 to 4: the distances from each landmark, the nearest landmark of every face, the sums.
-    void visit_landmarks(std::vector<Surface_part::Index> landmarks, bool is_parallel)
+    void visit_landmarks(std::vector<Indexed_surface::Index> landmarks, bool is_parallel)
     {
       m_landmarks = std::move(landmarks);
       std::vector<double> sums(m_landmarks.size());
@@ -94,7 +94,7 @@ public:
         {
           w.shortest_distances(m_landmarks[i], w.from_landmark);
           sums[i] = internal::distance_sum(w.from_landmark);
-          w.nearest.add(static_cast<Surface_part::Index>(i), w.from_landmark);
+          w.nearest.add(static_cast<Indexed_surface::Index>(i), w.from_landmark);
         },
         [this](const Workspace& w) { m_nearest.add(w.nearest); });
       find_largest_sum(sums);
@@ -105,8 +105,8 @@ public:
     void find_largest_sum(const std::vector<double>& sums)
     {
       double largest = -1;
-      const Surface_part::Index n = m_nearest.number_of_faces();
-      for (Surface_part::Index f = 0; f < n; ++f)
+      const Indexed_surface::Index n = m_nearest.number_of_faces();
+      for (Indexed_surface::Index f = 0; f < n; ++f)
       {
         const double sum = sums[m_nearest.landmark(f)] + (n - 2.) * m_nearest.distance(f);
         if (sum > largest)
@@ -119,8 +119,8 @@ public:
 
     internal::Shortest_distances m_shortest_distances;
     internal::Nearest_landmarks m_nearest;
-    std::vector<Surface_part::Index> m_landmarks;
-    Surface_part::Index m_face_of_largest_sum = 0;
+    std::vector<Indexed_surface::Index> m_landmarks;
+    Indexed_surface::Index m_face_of_largest_sum = 0;
   };
 
   /// \return the share of the faces that the paper settles on, LGD(5)
@@ -162,10 +162,10 @@ public:
   /// \param part the part, which must outlive the result
   /// \param random_seed of the choice of landmarks
   /// \return the distances on it
-  On_part on(const Surface_part& part, unsigned int random_seed) const
+  On_surface on(const Indexed_surface& part, unsigned int random_seed) const
   {
     const double share = std::ceil(m_fraction * part.number_of_faces());
-    return On_part(part, m_number > 0 ? m_number : static_cast<std::size_t>(share), random_seed,
+    return On_surface(part, m_number > 0 ? m_number : static_cast<std::size_t>(share), random_seed,
                    m_is_parallel);
   }
 

@@ -5,7 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_SEGMENT_HIERARCHY_H
 #define CGAL_PROTRUSION_SEGMENTATION_SEGMENT_HIERARCHY_H
 
-#include <CGAL/Protrusion_segmentation/internal/Segment_forest.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 
 #include <cstddef>
 #include <numeric>
@@ -67,12 +67,12 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
-  Segment_hierarchy() : m_forest(Surface_part()) {}
-  explicit Segment_hierarchy(internal::Segment_forest forest) : m_forest(std::move(forest)) {}
+  Segment_hierarchy() : m_forest(Indexed_surface()) {}
+  explicit Segment_hierarchy(internal::Nested_segments forest) : m_forest(std::move(forest)) {}
 #endif
 
 private:
-  using Index = internal::Segment_forest::Index;
+  using Index = internal::Nested_segments::Index;
 
   // for every segment the nearest ancestor, or itself, with a number below `number_of_segments`
   std::vector<Index> ancestors_below(std::size_t number_of_segments) const
@@ -90,7 +90,7 @@ private:
     return ancestors;
   }
 
-  internal::Segment_forest m_forest;
+  internal::Nested_segments m_forest;
 };
 
 } // namespace Protrusion_segmentation

@@ -62,10 +62,10 @@ void segment(const tool::Mesh& mesh, std::size_t method, std::size_t k)
 {
   switch(method)
   {
-  case 0: return segment(mesh, k, Geodesic_distance(), Minimum_cut_border());
-  case 1: return segment(mesh, k, Geodesic_distance(), Histogram_border());
-  case 2: return segment(mesh, k, Landmark_geodesic_distance(), Histogram_border());
-  default: return segment(mesh, k, Diffusion_distance(), Histogram_border());
+  case 0: return segment(mesh, k, Geodesic_distance(), Minimum_cut_method());
+  case 1: return segment(mesh, k, Geodesic_distance(), Histogram_method());
+  case 2: return segment(mesh, k, Landmark_geodesic_distance(), Histogram_method());
+  default: return segment(mesh, k, Diffusion_distance(), Histogram_method());
   }
 }
 

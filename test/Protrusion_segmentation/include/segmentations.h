@@ -85,7 +85,7 @@ Segmentation paper_segmentation(const FaceGraph& mesh, std::size_t k, const Name
   return checked(mesh, [&](auto ids)
   {
     return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, Geodesic_distance(),
-                                                  Histogram_border(), np);
+                                                  Histogram_method(), np);
   });
 }
 

@@ -6,7 +6,7 @@
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_TEST_DISTANCES_H
 
 #include "check.h"
-#include "surface_parts.h"
+#include "indexed_surfaces.h"
 #include "test_meshes.h"
 
 #include <CGAL/Surface_mesh.h>
@@ -25,7 +25,7 @@ namespace test_meshes
 namespace PS = CGAL::Protrusion_segmentation;
 
 template <typename Distance>
-std::vector<std::vector<double>> distance_matrix(const Surface_part& part, const Distance& distance)
+std::vector<std::vector<double>> distance_matrix(const Indexed_surface& part, const Distance& distance)
 {
   auto distances = distance.on(part, 0);
   std::vector<std::vector<double>> rows(part.number_of_faces());
@@ -69,7 +69,7 @@ void check_search_finds_the_largest_sum(const Distance& distance, double toleran
   for(const Test_mesh& mesh : {sheet(7, 5), box(3, 2, 1), random_surface(7), bumpy_sphere(2, 3),
                                single_triangle(), thin_strip(1)})
   {
-    const Surface_part part = to_surface_part(mesh);
+    const Indexed_surface part = to_surface_part(mesh);
     std::vector<double> sums;
     for(const std::vector<double>& row : distance_matrix(part, distance))
       sums.push_back(PS::internal::distance_sum(row));
@@ -115,7 +115,7 @@ void check_survives_awkward_surfaces(const Distance& distance)
 {
   for(const Test_mesh& mesh : awkward_surfaces())
   {
-    const Surface_part part = to_surface_part(mesh);
+    const Indexed_surface part = to_surface_part(mesh);
     auto distances = distance.on(part, 0);
     std::vector<double> row;
     for(Index f = 0; f < part.number_of_faces(); f += 7)
@@ -163,9 +163,9 @@ void check_segments_stars(const Distance& distance, std::size_t most_arms = 6, d
     std::vector<std::size_t> ids(soup.faces.size());
     const auto map = boost::make_iterator_property_map(ids.begin(), get(boost::face_index, mesh));
     CHECK_EQUAL(CGAL::segmentation_via_protrusion_tips(mesh, map, arms + 1, distance,
-                                                       PS::Histogram_border()), arms + 1);
+                                                       PS::Histogram_method()), arms + 1);
     CHECK_EQUAL(CGAL::segmentation_via_protrusion_tips(mesh, map, arms + 1, distance,
-                                                       PS::Minimum_cut_border()), arms + 1);
+                                                       PS::Minimum_cut_method()), arms + 1);
     CHECK(share_of_right_faces(soup, ids) > 0.95);
   }
 }

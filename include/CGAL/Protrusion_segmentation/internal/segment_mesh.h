@@ -7,13 +7,13 @@
 
 #include <CGAL/Protrusion_segmentation/Default_visitor.h>
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
-#include <CGAL/Protrusion_segmentation/Surface_part.h>
-#include <CGAL/Protrusion_segmentation/internal/Monitor.h>
-#include <CGAL/Protrusion_segmentation/internal/Segment_forest.h>
-#include <CGAL/Protrusion_segmentation/internal/canonical_order.h>
-#include <CGAL/Protrusion_segmentation/internal/extract_part.h>
-#include <CGAL/Protrusion_segmentation/internal/make_surface_part.h>
-#include <CGAL/Protrusion_segmentation/internal/select_protrusion_tips.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/Monitor.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/canonical_order.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/read_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Tips/select_protrusion_tips.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -66,7 +66,7 @@ inline void check_number_of_segments(std::size_t number_of_segments, std::size_t
 
 template <typename FaceGraph, typename SegmentMap>
 void write_segments(const FaceGraph& mesh,
-                    const std::vector<Surface_part::Index>& labels,
+                    const std::vector<Indexed_surface::Index>& labels,
                     SegmentMap& segment_ids)
 {
   std::size_t i = 0;
@@ -77,7 +77,7 @@ void write_segments(const FaceGraph& mesh,
 // Marks the edges between different segments, if the caller wants them.
 template <typename FaceGraph, typename NamedParameters>
 void write_borders(const FaceGraph& mesh,
-                   const std::vector<Surface_part::Index>& labels,
+                   const std::vector<Indexed_surface::Index>& labels,
                    const NamedParameters& np)
 {
   using No_map = std::is_same<
@@ -87,7 +87,7 @@ void write_borders(const FaceGraph& mesh,
   if constexpr (!No_map::value)
   {
     auto borders = parameters::get_parameter(np, internal_np::edge_is_constrained);
-    auto label = get(CGAL::dynamic_face_property_t<Surface_part::Index>(), mesh);
+    auto label = get(CGAL::dynamic_face_property_t<Indexed_surface::Index>(), mesh);
     std::size_t i = 0;
     for (const auto f : faces(mesh))
       put(label, f, labels[i++]);
@@ -104,9 +104,9 @@ void write_borders(const FaceGraph& mesh,
 // A mesh as index arrays, whose results do not depend on the order of its faces.
 struct Canonical_surface
 {
-  using Index = Surface_part::Index;
+  using Index = Indexed_surface::Index;
 
-  Surface_part part;
+  Indexed_surface part;
   std::vector<Index> position; // in `faces(mesh)` of every face of the part
   double unit;                               // what turns lengths back into those of the mesh
 
@@ -145,7 +145,7 @@ struct Canonical_surface
 // Runs `segment(surface, monitor)` on the arrays of a mesh; no result if the visitor stopped it or there is
 // no face.
 template <typename FaceGraph, typename NamedParameters, typename Segment>
-std::optional<Segment_forest> run_on_mesh(const FaceGraph& mesh,
+std::optional<Nested_segments> run_on_mesh(const FaceGraph& mesh,
                                           const NamedParameters& np,
                                           Segment segment)
 {
@@ -164,7 +164,7 @@ std::optional<Segment_forest> run_on_mesh(const FaceGraph& mesh,
     monitor.check();
     if (surface->part.number_of_faces() == 0)
       return std::nullopt;
-    Segment_forest forest = segment(*surface, monitor);
+    Nested_segments forest = segment(*surface, monitor);
     forest.labels = surface->in_order_of_mesh(forest.labels);
     monitor.progress(1, 1);
     return forest;
@@ -178,7 +178,7 @@ std::optional<Segment_forest> run_on_mesh(const FaceGraph& mesh,
 // Writes the results, if there are any; returns the number of segments.
 template <typename FaceGraph, typename SegmentMap, typename NamedParameters>
 std::size_t write_results(const FaceGraph& mesh,
-                          const std::optional<Segment_forest>& forest,
+                          const std::optional<Nested_segments>& forest,
                           SegmentMap& segment_ids,
                           const NamedParameters& np)
 {
@@ -190,7 +190,7 @@ std::size_t write_results(const FaceGraph& mesh,
 }
 
 template <typename FaceGraph, typename Distance, typename Border, typename NamedParameters>
-std::optional<Segment_forest> forest_of_mesh(const FaceGraph& mesh,
+std::optional<Nested_segments> forest_of_mesh(const FaceGraph& mesh,
                                              std::optional<std::size_t> number_of_segments,
                                              const Distance& distance,
                                              const Border& border,
@@ -226,19 +226,19 @@ Segment_hierarchy mesh_hierarchy(const FaceGraph& mesh,
                                  const Border& border,
                                  const NamedParameters& np)
 {
-  std::optional<Segment_forest> forest =
+  std::optional<Nested_segments> forest =
     forest_of_mesh(mesh, maximum_number_of_segments, distance, border, np);
   return forest ? Segment_hierarchy(std::move(*forest)) : Segment_hierarchy();
 }
 
 // The positions of the given faces in the order of `faces(mesh)`.
 template <typename FaceGraph, typename FaceRange>
-std::vector<Surface_part::Index> face_numbers(const FaceGraph& mesh, const FaceRange& range)
+std::vector<Indexed_surface::Index> face_numbers(const FaceGraph& mesh, const FaceRange& range)
 {
-  using Index = Surface_part::Index;
+  using Index = Indexed_surface::Index;
   std::map<typename boost::graph_traits<FaceGraph>::face_descriptor, Index> numbers;
   for (const auto f : range)
-    numbers[f] = Surface_part::no_face();
+    numbers[f] = Indexed_surface::no_face();
   Index i = 0;
   for (const auto f : faces(mesh))
   {
@@ -250,7 +250,7 @@ std::vector<Surface_part::Index> face_numbers(const FaceGraph& mesh, const FaceR
   std::vector<Index> result;
   for (const auto f : range)
   {
-    if (numbers[f] == Surface_part::no_face())
+    if (numbers[f] == Indexed_surface::no_face())
       throw std::invalid_argument("tips: a face is not in tmesh");
     result.push_back(numbers[f]);
   }
@@ -270,8 +270,8 @@ std::size_t segment_mesh_from_tips(const FaceGraph& mesh,
                                    const Border& border,
                                    const NamedParameters& np)
 {
-  const std::vector<Surface_part::Index> numbers = face_numbers(mesh, tips);
-  const std::optional<Segment_forest> forest =
+  const std::vector<Indexed_surface::Index> numbers = face_numbers(mesh, tips);
+  const std::optional<Nested_segments> forest =
     run_on_mesh(mesh, np, [&](const Canonical_surface& surface, auto& monitor)
                 {
                   return border.segment_from_tips(surface.part, distance, surface.faces_at(numbers),
@@ -307,14 +307,14 @@ OutputIterator select_mesh_tips(const FaceGraph& mesh,
                                 const Distance& distance,
                                 const NamedParameters& np)
 {
-  using Index = Surface_part::Index;
+  using Index = Indexed_surface::Index;
   const Canonical_surface surface(mesh, np);
-  const Surface_part& part = surface.part;
+  const Indexed_surface& part = surface.part;
   if (number_of_tips > part.number_of_faces())
     throw std::invalid_argument("number_of_tips is " + std::to_string(number_of_tips) +
                                 ", but tmesh has only " + std::to_string(part.number_of_faces()) +
                                 " faces");
-  const Segment_forest components(part);
+  const Nested_segments components(part);
   std::vector<double> areas(components.number_of_segments(), 0);
   std::vector<std::size_t> face_counts(components.number_of_segments(), 0);
   for (Index f = 0; f < part.number_of_faces(); ++f)
@@ -326,10 +326,10 @@ OutputIterator select_mesh_tips(const FaceGraph& mesh,
 
   const std::vector<typename boost::graph_traits<FaceGraph>::face_descriptor> descriptors(
     faces(mesh).begin(), faces(mesh).end());
-  Part_extractor extract(part);
+  Segment_extractor extract(part);
   for (Index c = 0; c < shares.size(); ++c)
   {
-    const Extracted_part component = extract(components.faces_of(c));
+    const Extracted_segment component = extract(components.faces_of(c));
     auto distances = distance.on(component.part, random_seed(np));
     const Tip_selection selection = select_protrusion_tips(
       component.part, distances, shares[c], [](Index) { return true; },

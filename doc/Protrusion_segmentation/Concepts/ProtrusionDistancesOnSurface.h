@@ -1,0 +1,60 @@
+/*!
+\ingroup PkgProtrusionSegmentationConcepts
+\cgalConcept
+
+The concept `ProtrusionDistancesOnSurface` describes the requirements on the distances between the faces of one
+part of a surface. They are asked for one source after the other, and so may keep work arrays.
+
+The distance should grow along the surface away from the source, as lengths do. It need be neither symmetric
+nor a metric.
+
+\cgalRefines{MoveConstructible}
+
+\cgalHasModelsBegin
+\cgalHasModels{CGAL::Protrusion_segmentation::Geodesic_distance::On_surface}
+\cgalHasModels{CGAL::Protrusion_segmentation::Landmark_geodesic_distance::On_surface}
+\cgalHasModels{CGAL::Protrusion_segmentation::Diffusion_distance::On_surface}
+\cgalHasModels{CGAL::Protrusion_segmentation::Heat_distance::On_surface}
+\cgalHasModels{CGAL::Protrusion_segmentation::Exact_geodesic_distance::On_surface}
+\cgalHasModelsEnd
+
+\sa `ProtrusionDistance`
+*/
+class ProtrusionDistancesOnSurface
+{
+public:
+  /*!
+  computes the distances from a face to all faces.
+
+  \param source the face
+  \param distances is resized to the number of faces and filled: finite, not negative, 0 for `source`
+  */
+  void operator()(CGAL::Protrusion_segmentation::Indexed_surface::Index source, std::vector<double>& distances);
+
+  /*!
+  computes the distances from a face up to a bound.
+
+  Optional: without it, all distances are computed where only those inside a border are needed.
+
+  \param source the face
+  \param distances is resized to the number of faces and filled as above; distances above `bound` may be infinite
+  \param bound the largest distance of interest
+  */
+  void operator()(CGAL::Protrusion_segmentation::Indexed_surface::Index source, std::vector<double>& distances,
+                  double bound);
+
+  /*!
+  \return from how many faces distances were computed so far, for the report to the visitor
+  */
+  std::size_t number_of_runs() const;
+
+  /*!
+  finds the face with the largest sum of distances to all faces, eq. (1) of the paper.
+
+  Optional: a model without this function works, but distances are then computed from every face of the part,
+  which takes quadratic time.
+
+  \return the face
+  */
+  CGAL::Protrusion_segmentation::Indexed_surface::Index face_of_largest_sum();
+};

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_HISTOGRAM_METHOD_H
+#define CGAL_PROTRUSION_SEGMENTATION_HISTOGRAM_METHOD_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/Histogram_segmentation.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationBorders
+
+The border method of the paper, Section III.D, in its overall flow, Section III.A.
+
+From a protrusion tip to the farthest face, the distances are divided into 100 slots. The number of faces
+in each slot is the distance histogram, the diameter of the surface's section in each slot the
+sectional-diameter histogram. The border lies where the diameter grows most, if the distance histogram
+changes there too. Tips without such a border are dropped. As long as there are too few segments, tips are
+selected anew in the segment of largest area.
+
+\cgalModels{ProtrusionBorder}
+*/
+class Histogram_method
+{
+public:
+  /// \name Options
+  /// Each option has a getter, and a setter that can be chained.
+  /// @{
+
+  /// \return the least prominence of a border: the natural logarithm of the ratio of the diameters behind
+  ///         and at the border. Above 0, default 0.4: a sphere has 0.33. If k segments were asked for and not found, it is
+  ///         halved again and again.
+  double minimum_prominence() const { return m_minimum_prominence; }
+  /// \param value above 0
+  /// \return `*this`
+  /// \throw std::invalid_argument if `value` is not above 0
+  Histogram_method& minimum_prominence(double value)
+  {
+    if (!(value > 0) || !std::isfinite(value))
+      throw std::invalid_argument("Histogram_method: minimum_prominence is not positive and finite");
+    m_minimum_prominence = value;
+    return *this;
+  }
+
+  /// \return whether a border must lie in a candidate interval of the distance histogram, as in Section
+  ///         III.D.3. Default `true`.
+  bool uses_candidate_intervals() const { return m_uses_candidate_intervals; }
+  /// \param value whether it must
+  /// \return `*this`
+  Histogram_method& uses_candidate_intervals(bool value)
+  {
+    m_uses_candidate_intervals = value;
+    return *this;
+  }
+
+  /// sets whether the sections of a protrusion are computed by several threads, with the same result.
+  /// \tparam ConcurrencyTag `Sequential_tag`, the default, or `Parallel_tag`, which needs TBB
+  /// \return `*this`
+  template <typename ConcurrencyTag>
+  Histogram_method& concurrency_tag(ConcurrencyTag)
+  {
+    m_is_parallel = internal::is_parallel<ConcurrencyTag>();
+    return *this;
+  }
+  /// @}
+
+#ifndef DOXYGEN_RUNNING
+  // Segments `surface`, into `number_of_segments` or while there are evident protrusions, or cuts off the
+  // protrusions of given tips.
+  template <typename Distance, typename Visitor>
+  internal::Nested_segments segment(const Indexed_surface& surface,
+                                   const Distance& distance,
+                                   std::optional<std::size_t> number_of_segments,
+                                   internal::Monitor<Visitor>& monitor) const
+  {
+    internal::Histogram_segmentation<Distance, Visitor> segmentation(surface, distance, conditions(),
+                                                                     m_is_parallel, monitor);
+    return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
+                              : segmentation.with_evident_protrusions();
+  }
+  template <typename Distance, typename Visitor>
+  internal::Nested_segments segment_from_tips(const Indexed_surface& surface,
+                                             const Distance& distance,
+                                             const std::vector<Indexed_surface::Index>& tips,
+                                             internal::Monitor<Visitor>& monitor) const
+  {
+    return internal::Histogram_segmentation<Distance, Visitor>(surface, distance, conditions(),
+                                                              m_is_parallel, monitor)
+      .from_tips(tips);
+  }
+#endif
+
+private:
+  internal::Border_conditions conditions() const
+  {
+    return {m_minimum_prominence, m_uses_candidate_intervals, false};
+  }
+
+  // On half of the development models of the Princeton benchmark the Rand index error with a given number of
+  // segments is .178 for 0.3 and 0.4, and .187 for 0.5; without a number .29, .25, .27.
+  double m_minimum_prominence = 0.4;
+  bool m_uses_candidate_intervals = true;
+  bool m_is_parallel = false;
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_HISTOGRAM_METHOD_H

@@ -1,0 +1,220 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INDEXED_SURFACE_H
+#define CGAL_PROTRUSION_SEGMENTATION_INDEXED_SURFACE_H
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/range/iterator_range.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+A surface, or a piece of one, as index arrays: what distances and border methods work on.
+
+The faces of a part are numbered from 0, so are its vertices and the corners of its faces: the corners
+of face `f` are `first_corner(f)` to `first_corner(f + 1) - 1`, in the orientation of the mesh. The edge
+of a corner leads from its vertex to the vertex of the next corner of the same face.
+
+The face dual graph (Section III.B of the paper) has the faces as nodes and an arc in both directions
+for every edge that two different faces share. The length of an arc is the distance between the
+centroids of the two faces.
+
+The coordinates are those of the input mesh, moved and scaled by a power of two so that the whole
+surface fits into [-1, 1]<sup>3</sup>: neither tiny nor huge coordinates can under- or overflow.
+
+The memory is about 70 bytes per triangle.
+*/
+class Indexed_surface
+{
+public:
+  /// an index of a face, a vertex or a corner
+  using Index = std::uint32_t;
+  using Kernel = Simple_cartesian<double>;
+  using Point_3 = Kernel::Point_3;
+  using Vector_3 = Kernel::Vector_3;
+
+  /// what the dual graph stores for an arc
+  struct Arc
+  {
+    double length;
+  };
+
+  /// a model of `boost::VertexListGraph` and `boost::IncidenceGraph`
+  using Dual_graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, Arc,
+                                                        boost::no_property, Index, Index>;
+
+  /// \return what stands for the face beyond a border edge
+  static constexpr Index no_face() { return (std::numeric_limits<Index>::max)(); }
+
+  Indexed_surface() = default;
+
+  /// makes a surface from its arrays, in linear time.
+  /// \param points the points of the vertices
+  /// \param corner_begin the first corner of every face, and the number of corners at the end
+  /// \param corner_vertices the vertex of every corner
+  /// \param corner_neighbors for each corner the face beyond its edge, or `no_face()`
+  Indexed_surface(std::vector<Point_3> points,
+               std::vector<Index> corner_begin,
+               std::vector<Index> corner_vertices,
+               std::vector<Index> corner_neighbors)
+    : m_points(std::move(points)),
+      m_corner_begin(std::move(corner_begin)),
+      m_corner_vertices(std::move(corner_vertices)),
+      m_corner_neighbors(std::move(corner_neighbors))
+  {
+    measure_faces();
+  }
+
+  /// \return the number of faces
+  Index number_of_faces() const { return static_cast<Index>(m_areas.size()); }
+  /// \return the number of vertices
+  Index number_of_vertices() const { return static_cast<Index>(m_points.size()); }
+  /// \return the number of corners of all faces
+  Index number_of_corners() const { return static_cast<Index>(m_corner_vertices.size()); }
+
+  /// \return the point of a vertex
+  /// \param vertex below `number_of_vertices()`
+  const Point_3& point(Index vertex) const { return m_points[vertex]; }
+  /// \return the first corner of a face
+  /// \param face at most `number_of_faces()`, for which it is the number of corners
+  Index first_corner(Index face) const { return m_corner_begin[face]; }
+  /// \return the vertex of a corner
+  /// \param corner below `number_of_corners()`
+  Index vertex(Index corner) const { return m_corner_vertices[corner]; }
+  /// \return the face beyond the edge of a corner, or `no_face()`
+  /// \param corner below `number_of_corners()`
+  Index neighbor(Index corner) const { return m_corner_neighbors[corner]; }
+  /// \return the next corner of a face in its orientation
+  /// \param face below `number_of_faces()`
+  /// \param corner one of its corners
+  Index next_corner(Index face, Index corner) const
+  {
+    return (corner + 1 == first_corner(face + 1)) ? first_corner(face) : corner + 1;
+  }
+  /// \return the length of the edge of a corner
+  /// \param face below `number_of_faces()`
+  /// \param corner one of its corners
+  double edge_length(Index face, Index corner) const
+  {
+    return std::sqrt(squared_distance(point(vertex(corner)), point(vertex(next_corner(face, corner)))));
+  }
+
+  /// \return the centre of gravity of a face
+  /// \param face below `number_of_faces()`
+  const Point_3& centroid(Index face) const { return m_centroids[face]; }
+  /// \return the area of a face
+  /// \param face below `number_of_faces()`
+  double area(Index face) const { return m_areas[face]; }
+  /// \return the sum of the areas of all faces
+  double area() const { return m_area; }
+
+  /// \return the length of an arc of the face dual graph: the distance between the centroids of two faces
+  /// \param f below `number_of_faces()`
+  /// \param g below `number_of_faces()`
+  double arc_length(Index f, Index g) const
+  {
+    return std::sqrt(squared_distance(centroid(f), centroid(g)));
+  }
+  /// makes the face dual graph in linear time; it takes another 40 bytes per triangle.
+  /// \return the graph, the arcs of a face in the order of its corners
+  Dual_graph dual_graph() const
+  {
+    std::vector<Index> sources, targets;
+    std::vector<Arc> arcs;
+    sources.reserve(number_of_corners());
+    targets.reserve(number_of_corners());
+    arcs.reserve(number_of_corners());
+    for (Index f = 0; f < number_of_faces(); ++f)
+      for (Index c = first_corner(f); c < first_corner(f + 1); ++c)
+        if (neighbor(c) != no_face())
+        {
+          sources.push_back(f);
+          targets.push_back(neighbor(c));
+          arcs.push_back({arc_length(f, neighbor(c))});
+        }
+    // sorted by source as they are, the vectors become those of the graph
+    return Dual_graph(boost::construct_inplace_from_sources_and_targets, sources, targets, arcs,
+                      number_of_faces());
+  }
+
+  /// \return a vector normal to a face, as long as its area: half the sum of the vector products of
+  ///         consecutive corners
+  /// \param face below `number_of_faces()`
+  Vector_3 area_vector(Index face) const
+  {
+    const Index first = first_corner(face);
+    const Point_3& origin = point(vertex(first));
+    Vector_3 sum(0, 0, 0);
+    for (Index c = first + 1; c + 1 < first_corner(face + 1); ++c)
+      sum += cross_product(point(vertex(c)) - origin, point(vertex(c + 1)) - origin);
+    return sum / 2;
+  }
+
+private:
+  // The centroid of the fan of triangles around the first corner, each triangle signed by the face normal:
+  // right for every simple planar polygon, convex or not. The mean of the corners where that is far off, as
+  // for folded or crossed polygons, the signs of whose triangles nearly cancel.
+  Point_3 fan_centroid(Index face, const Vector_3& normal, double area) const
+  {
+    const Index first = first_corner(face);
+    const Index end = first_corner(face + 1);
+    const Point_3& origin = point(vertex(first));
+    Vector_3 sum(0, 0, 0), moment(0, 0, 0);
+    double reach = 0; // squared: the centroid of a simple polygon is no farther from a corner than another one
+    for (Index c = first + 1; c < end; ++c)
+    {
+      const Vector_3 v = point(vertex(c)) - origin;
+      const Vector_3 u = point(vertex(c - 1)) - origin;
+      sum += v;
+      moment += (u + v) * ((cross_product(u, v) * normal) / (6 * area * area));
+      reach = (std::max)(reach, v.squared_length());
+    }
+    const bool is_polygon = end - first > 3;
+    return origin + (is_polygon && moment.squared_length() <= reach
+                       ? moment
+                       : sum / static_cast<double>(end - first));
+  }
+
+  void measure_faces()
+  {
+    const std::size_t n = m_corner_begin.size() - 1;
+    m_centroids.reserve(n);
+    m_areas.reserve(n);
+    for (Index f = 0; f < n; ++f)
+    {
+      const Vector_3 normal = area_vector(f);
+      const double area = std::sqrt(normal.squared_length());
+      m_areas.push_back(area);
+      m_centroids.push_back(fan_centroid(f, normal, area));
+      m_area += area;
+    }
+  }
+
+  std::vector<Point_3> m_points;
+  std::vector<Index> m_corner_begin = std::vector<Index>(1, 0);
+  std::vector<Index> m_corner_vertices;
+  std::vector<Index> m_corner_neighbors;
+  std::vector<Point_3> m_centroids;
+  std::vector<double> m_areas;
+  double m_area = 0;
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INDEXED_SURFACE_H

@@ -1,0 +1,78 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_WEIGHTED_DUAL_GRAPH_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_WEIGHTED_DUAL_GRAPH_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+
+#include <boost/range/irange.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A graph whose nodes are faces, or connected sets of faces, of a surface, with what segmentation by minimum
+// cuts needs to know of them. Lengths are in units of the square root of the area of the whole surface,
+// areas are shares of it, so that the result is independent of scale.
+//
+// The arcs of node i are first_arc[i] to first_arc[i + 1] - 1. For every arc there is one back with the
+// same weights. Single precision halves the memory and is more than the input is worth.
+struct Weighted_dual_graph
+{
+  using Index = Indexed_surface::Index;
+
+  std::vector<Index> first_arc = std::vector<Index>(1, 0);
+  std::vector<Index> target;
+
+  std::vector<float> length;         // between the centres of the nodes
+  std::vector<float> curvature;      // mean along the border, positive where concave
+  std::vector<float> border_length;  // of the edges that the two nodes share
+  std::vector<float> concave_border_length; // the length of those of these edges that lie in a concave seam
+  std::vector<float> capacity;       // the border length, cheap on concave seams: what a cut costs
+
+  std::vector<double> area; // of the nodes
+  std::vector<Simple_cartesian<float>::Point_3> centre;
+
+  // By how much one radian of concave angle lengthens an arc; between .15 and .4 it makes no difference, except
+  // that the candidates get better.
+  double length_of_angle = 0.4;
+
+  Index number_of_nodes() const { return static_cast<Index>(area.size()); }
+  boost::integer_range<Index> arcs(Index node) const
+  {
+    return boost::irange(first_arc[node], first_arc[node + 1]);
+  }
+  // The length of an arc, lengthened where it crosses a concave seam: distances from a tip grow there.
+  double seam_length(Index arc) const
+  {
+    return length[arc] * (1 + length_of_angle * (std::max)(0.f, curvature[arc]));
+  }
+  // the two as functions of an arc, which must not outlive the graph
+  auto lengths() const
+  {
+    return [this](Index arc) { return length[arc]; };
+  }
+  auto seam_lengths() const
+  {
+    return [this](Index arc) { return seam_length(arc); };
+  }
+  Indexed_surface::Point_3 centre_of(Index node) const
+  {
+    return {centre[node].x(), centre[node].y(), centre[node].z()};
+  }
+  void add_centre(const Indexed_surface::Point_3& p)
+  {
+    centre.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
+  }
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_WEIGHTED_DUAL_GRAPH_H

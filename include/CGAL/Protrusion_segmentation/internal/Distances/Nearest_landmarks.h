@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_NEAREST_LANDMARKS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_NEAREST_LANDMARKS_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// The nearest landmark of every face, the lowest number where several are equally near; the same in whatever
+// order landmarks are added.
+class Nearest_landmarks
+{
+public:
+  using Index = Indexed_surface::Index;
+
+  explicit Nearest_landmarks(const Indexed_surface& part)
+    : m_distances(part.number_of_faces(), (std::numeric_limits<double>::infinity)()),
+      m_landmarks(part.number_of_faces(), 0)
+  {}
+
+  Index number_of_faces() const { return static_cast<Index>(m_landmarks.size()); }
+  Index landmark(Index face) const { return m_landmarks[face]; }
+  double distance(Index face) const { return m_distances[face]; }
+
+  // the distances of all faces from a landmark, by its number
+  void add(Index landmark, const std::vector<double>& distances)
+  {
+    for (Index f = 0; f < number_of_faces(); ++f)
+      add(f, landmark, distances[f]);
+  }
+  void add(const Nearest_landmarks& others)
+  {
+    for (Index f = 0; f < number_of_faces(); ++f)
+      add(f, others.m_landmarks[f], others.m_distances[f]);
+  }
+
+private:
+  void add(Index face, Index landmark, double distance)
+  {
+    if (distance < m_distances[face] ||
+        (distance == m_distances[face] && landmark < m_landmarks[face]))
+    {
+      m_distances[face] = distance;
+      m_landmarks[face] = landmark;
+    }
+  }
+
+  std::vector<double> m_distances;
+  std::vector<Index> m_landmarks;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_NEAREST_LANDMARKS_H

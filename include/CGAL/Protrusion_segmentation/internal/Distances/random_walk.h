@@ -1,0 +1,77 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_RANDOM_WALK_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_RANDOM_WALK_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+
+#include <Eigen/Core>
+#include <Eigen/SparseCore>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// The random walk on the faces of Section III.B.1, with transition matrix P = D^-1 W.
+struct Random_walk
+{
+  Eigen::VectorXd degrees;               // the diagonal of D
+  Eigen::SparseMatrix<double> laplacian; // I - D^-1/2 W D^-1/2: similar to I - P, but symmetric
+};
+
+// The weight of staying, for a face of mean area. The weights of leaving add up to about 5 for a regular
+// triangle, whatever its size, so that this makes the walk rest nearly in proportion to the areas.
+constexpr double resting_weight = 50;
+
+// The weights W. A face is left over an edge with weight edge length / distance of the centroids: what flows
+// between two cells of a finite volume scheme, or the conductance of a strip. To stay has a weight
+// proportional to the area, so that small faces are left sooner and the walk spreads over the surface alike
+// wherever its faces are small or large, as heat does. No weight depends on the scale of the surface.
+//
+// Lengths below a thousandth of the length of a mean face count as that much: no weight is infinite, and
+// a face without area is left at once.
+inline Random_walk make_random_walk(const Indexed_surface& part)
+{
+  using Index = Indexed_surface::Index;
+  const Index n = part.number_of_faces();
+  const double mean_area = part.area() / n;
+  const double shortest = 1e-3 * std::sqrt(mean_area);
+  const auto ratio = [](double a, double b) { return b > 0 ? a / b : 1.; }; // 1 where all points are equal
+
+  std::vector<Eigen::Triplet<double>> weights;
+  weights.reserve(part.number_of_corners() + n);
+  Eigen::VectorXd leaving = Eigen::VectorXd::Zero(n);
+  for (Index f = 0; f < n; ++f)
+    for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
+      if (const Index g = part.neighbor(c); g != Indexed_surface::no_face())
+      {
+        const double length = part.arc_length(f, g);
+        const double weight =
+          ratio((std::max)(part.edge_length(f, c), shortest), (std::max)(length, shortest));
+        weights.emplace_back(f, g, -weight);
+        leaving[f] += weight;
+      }
+  Random_walk walk;
+  walk.degrees.resize(n);
+  for (Index f = 0; f < n; ++f)
+    walk.degrees[f] = leaving[f] + resting_weight * ratio(part.area(f), mean_area);
+  for (Index f = 0; f < n; ++f)
+    weights.emplace_back(f, f, leaving[f]);
+  for (auto& w : weights)
+    w = {w.row(), w.col(), w.value() / std::sqrt(walk.degrees[w.row()] * walk.degrees[w.col()])};
+  walk.laplacian.resize(n, n);
+  walk.laplacian.setFromTriplets(weights.begin(), weights.end()); // adds up edges between the same faces
+  return walk;
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_RANDOM_WALK_H

@@ -1,0 +1,195 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_TRIANGULATE_SURFACE_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_TRIANGULATE_SURFACE_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+
+#include <CGAL/Kernel_traits.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A part as a halfedge structure of triangles, for algorithms that need one. Every polygon is the fan of
+// triangles around its first corner; the triangles are in the order of the faces.
+template <typename Point>
+struct Triangulated_surface
+{
+  Surface_mesh<Point> mesh;
+  std::vector<Indexed_surface::Index> first_triangle; // of every face, and the end
+};
+
+// Builds the halfedges from what faces are neighbours, not from what vertices they share: a surface that
+// touches itself in a vertex or an edge, which cannot be built vertex by vertex, is cut there, as it is in
+// the dual graph. Edges beyond which the orientation changes become borders, and faces with fewer than
+// three corners become nothing.
+template <typename Point>
+class Surface_triangulator
+{
+public:
+  using Index = Indexed_surface::Index;
+  using Mesh = Surface_mesh<Point>;
+  using Halfedge = typename Mesh::Halfedge_index;
+
+  explicit Surface_triangulator(const Indexed_surface& part)
+    : m_part(part), m_halfedges(part.number_of_corners())
+  {}
+
+  Triangulated_surface<Point> operator()()
+  {
+    for (Index f = 0; f < m_part.number_of_faces(); ++f)
+    {
+      m_result.first_triangle.push_back(static_cast<Index>(m_mesh.number_of_faces()));
+      if (is_polygon(f))
+        add_fan(f);
+    }
+    m_result.first_triangle.push_back(static_cast<Index>(m_mesh.number_of_faces()));
+    for (const Halfedge h : m_mesh.halfedges())
+      if (m_mesh.is_border(h))
+        m_mesh.set_next(h, next_border(h));
+    for (const Halfedge h : m_mesh.halfedges())
+      if (!m_mesh.is_border(h) && !m_mesh.target(h).is_valid())
+        add_vertex(h);
+    return std::move(m_result);
+  }
+
+private:
+  bool is_polygon(Index f) const { return m_part.first_corner(f + 1) - m_part.first_corner(f) >= 3; }
+
+  // The same edge seen from the face beyond it, if that is oriented alike.
+  Index opposite_corner(Index f, Index corner) const
+  {
+    const Index g = m_part.neighbor(corner);
+    if (g != Indexed_surface::no_face() && is_polygon(g))
+      for (Index c = m_part.first_corner(g); c < m_part.first_corner(g + 1); ++c)
+        if (m_part.neighbor(c) == f && m_part.vertex(c) == m_part.vertex(m_part.next_corner(f, corner)) &&
+            m_part.vertex(m_part.next_corner(g, c)) == m_part.vertex(corner))
+          return c;
+    return Indexed_surface::no_face();
+  }
+
+  // The halfedge from a corner to the next one.
+  Halfedge halfedge_of_corner(Index f, Index c)
+  {
+    const Index opposite = opposite_corner(f, c);
+    const bool is_known = opposite != Indexed_surface::no_face() && m_halfedges[opposite].is_valid() &&
+                          m_mesh.is_border(m_mesh.opposite(m_halfedges[opposite]));
+    m_halfedges[c] = is_known ? m_mesh.opposite(m_halfedges[opposite]) : m_mesh.add_edge();
+    return m_halfedges[c];
+  }
+
+  void add_fan(Index f)
+  {
+    const Index first = m_part.first_corner(f), last = m_part.first_corner(f + 1) - 1;
+    Halfedge from_first = halfedge_of_corner(f, first);
+    for (Index c = first + 1; c < last; ++c)
+    {
+      const Halfedge to_first = c + 1 == last ? Halfedge() : m_mesh.add_edge();
+      const Halfedge side = halfedge_of_corner(f, c);
+      const Halfedge closing = to_first.is_valid() ? to_first : halfedge_of_corner(f, last);
+      add_triangle({from_first, side, closing}, {c, c + 1, first});
+      if (to_first.is_valid())
+        from_first = m_mesh.opposite(to_first);
+    }
+  }
+
+  void add_triangle(const std::array<Halfedge, 3>& halfedges, const std::array<Index, 3>& target_corners)
+  {
+    const typename Mesh::Face_index triangle = m_mesh.add_face();
+    m_mesh.set_halfedge(triangle, halfedges[2]);
+    m_target.resize(m_mesh.number_of_halfedges());
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      m_mesh.set_face(halfedges[i], triangle);
+      m_mesh.set_next(halfedges[i], halfedges[(i + 1) % 3]);
+      m_target[halfedges[i]] = m_part.vertex(target_corners[i]);
+    }
+  }
+
+  // The border halfedge that begins where a given one ends: around that vertex to the other border.
+  Halfedge next_border(Halfedge h) const
+  {
+    Halfedge next = m_mesh.opposite(h);
+    while (!m_mesh.is_border(next))
+      next = m_mesh.opposite(m_mesh.next(m_mesh.next(next)));
+    return next;
+  }
+
+  // One vertex for all halfedges around the end of `h`; a border halfedge stands for a border vertex.
+  void add_vertex(Halfedge h)
+  {
+    const Indexed_surface::Point_3& p = m_part.point(m_target[h]);
+    const typename Mesh::Vertex_index v = m_mesh.add_vertex(Point(p.x(), p.y(), p.z()));
+    m_mesh.set_halfedge(v, h);
+    Halfedge around = h;
+    do
+    {
+      m_mesh.set_target(around, v);
+      if (m_mesh.is_border(around))
+        m_mesh.set_halfedge(v, around);
+      around = m_mesh.opposite(m_mesh.next(around));
+    } while (around != h);
+  }
+
+  const Indexed_surface& m_part;
+  Triangulated_surface<Point> m_result;
+  Mesh& m_mesh = m_result.mesh;
+  std::vector<Halfedge> m_halfedges; // of the corners
+  std::vector<Index> m_target;       // of the halfedges: the vertex of the part at their end
+};
+
+// Moves the corners of triangles that are next to flat, by a thousandth of the triangle's longest edge, in
+// pseudo-random directions: cotangents and unfolded triangles need an area, and a change of distances by
+// less than the length of a face matters to nobody here. Returns whether all triangles are in order then:
+// they are not where all corners are one point, or coordinates are too large for such a move.
+template <typename Point>
+bool widen_flat_triangles(Surface_mesh<Point>& mesh)
+{
+  constexpr double flat = 1e-5;   // height / longest edge; sine of the smallest angle, about
+  constexpr double reach = 1e-3;
+  const auto longest_and_height = [&mesh](typename Surface_mesh<Point>::Face_index f)
+  {
+    const auto h = mesh.halfedge(f);
+    const Point& p = mesh.point(mesh.target(h));
+    const Point& q = mesh.point(mesh.target(mesh.next(h)));
+    const Point& r = mesh.point(mesh.target(mesh.next(mesh.next(h))));
+    const double longest = std::sqrt((std::max)({squared_distance(p, q), squared_distance(q, r),
+                                                 squared_distance(r, p)}));
+    const double height = std::sqrt(cross_product(q - p, r - p).squared_length()) / longest;
+    return std::make_pair(longest, height);
+  };
+  std::mt19937 random; // its numbers are fixed by the standard, those of distributions are not
+  const auto offset = [&random]() { return random() / 4294967296. - 0.5; };
+  const auto is_flat = [&](typename Surface_mesh<Point>::Face_index f)
+  {
+    const auto [longest, height] = longest_and_height(f);
+    return !(height > flat * longest);
+  };
+  for (const auto f : mesh.faces())
+    if (is_flat(f))
+    {
+      const double length = reach * longest_and_height(f).first;
+      for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+        mesh.point(v) = mesh.point(v) + length * typename Kernel_traits<Point>::Kernel::Vector_3(
+                                                   offset(), offset(), offset());
+    }
+  return std::none_of(mesh.faces().begin(), mesh.faces().end(), is_flat);
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_TRIANGULATE_SURFACE_H

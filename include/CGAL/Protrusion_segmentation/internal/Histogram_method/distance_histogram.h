@@ -1,0 +1,135 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_DISTANCE_HISTOGRAM_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_DISTANCE_HISTOGRAM_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+
+#include <boost/range/iterator_range.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Ten groups of ten intervals, Section III.D.1.
+constexpr std::size_t number_of_slots = 100;
+
+// The distance histogram of Section III.D.1: how many faces lie in each of the slots of equal width between
+// the tip and the farthest face.
+struct Distance_histogram
+{
+  double range = 0; // the distance of the farthest face
+  std::array<Indexed_surface::Index, number_of_slots> counts{};
+
+  std::size_t slot(double distance) const
+  {
+    if (!(range > 0))
+      return 0;
+    return (std::min)(static_cast<std::size_t>(number_of_slots * (distance / range)),
+                      number_of_slots - 1);
+  }
+  // the distance at which a slot begins
+  double slot_begin(std::size_t slot) const { return range * static_cast<double>(slot) / number_of_slots; }
+};
+
+// The faces of each slot.
+class Slots
+{
+public:
+  using Index = Indexed_surface::Index;
+
+  explicit Slots(const std::vector<double>& distances) : m_faces(distances.size())
+  {
+    m_histogram.range = *std::max_element(distances.begin(), distances.end());
+    for (double d : distances)
+      ++m_histogram.counts[m_histogram.slot(d)];
+    m_begin[0] = 0;
+    for (std::size_t s = 0; s < number_of_slots; ++s)
+      m_begin[s + 1] = m_begin[s] + m_histogram.counts[s];
+    std::array<Index, number_of_slots + 1> position = m_begin;
+    for (Index f = 0; f < distances.size(); ++f)
+      m_faces[position[m_histogram.slot(distances[f])]++] = f;
+  }
+
+  const Distance_histogram& histogram() const { return m_histogram; }
+  boost::iterator_range<const Index*> faces(std::size_t slot) const
+  {
+    return {m_faces.data() + m_begin[slot], m_faces.data() + m_begin[slot + 1]};
+  }
+
+private:
+  Distance_histogram m_histogram;
+  std::array<Index, number_of_slots + 1> m_begin;
+  std::vector<Index> m_faces; // slot by slot
+};
+
+// Slots from `first` to `last`, both included.
+struct Slot_interval
+{
+  std::size_t first;
+  std::size_t last;
+};
+
+// The mean of every value and its neighbours up to `radius` slots away.
+inline std::array<double, number_of_slots> moving_average(
+  const std::array<double, number_of_slots>& values, std::size_t radius)
+{
+  std::array<double, number_of_slots> result;
+  for (std::size_t s = 0; s < number_of_slots; ++s)
+  {
+    const std::size_t first = s < radius ? 0 : s - radius;
+    const std::size_t last = (std::min)(s + radius, number_of_slots - 1);
+    double sum = 0;
+    for (std::size_t i = first; i <= last; ++i)
+      sum += values[i];
+    result[s] = sum / static_cast<double>(last - first + 1);
+  }
+  return result;
+}
+
+// The candidate intervals of Section III.D.3: where the smoothed contour of the histogram rises or falls
+// faster than on average, and some slots around, because the contour is flat where the change begins.
+inline std::vector<Slot_interval> candidate_intervals(const Distance_histogram& histogram)
+{
+  // the count of a slot on a mesh of a few thousand faces is noise over a width of one slot
+  constexpr std::size_t smoothing_radius = 2;
+  // half the width of the paper's groups of slots
+  constexpr std::size_t margin = 5;
+  std::array<double, number_of_slots> contour;
+  std::copy(histogram.counts.begin(), histogram.counts.end(), contour.begin());
+  contour = moving_average(contour, smoothing_radius);
+
+  std::array<double, number_of_slots> slope{};
+  double mean_slope = 0;
+  for (std::size_t s = 1; s + 1 < number_of_slots; ++s)
+  {
+    slope[s] = std::abs(contour[s + 1] - contour[s - 1]) / 2;
+    mean_slope += slope[s] / number_of_slots;
+  }
+  std::vector<Slot_interval> intervals;
+  for (std::size_t s = 1; s + 1 < number_of_slots; ++s)
+    if (slope[s] > mean_slope)
+    {
+      const Slot_interval window = {s < margin ? 0 : s - margin,
+                                    (std::min)(s + margin, number_of_slots - 1)};
+      if (!intervals.empty() && window.first <= intervals.back().last + 1)
+        intervals.back().last = window.last;
+      else
+        intervals.push_back(window);
+    }
+  return intervals;
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_DISTANCE_HISTOGRAM_H

@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_PLANE_SECTION_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_PLANE_SECTION_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/convex_hull_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A plane by a point of it and its normal, which need not have unit length.
+struct Section_plane
+{
+  Indexed_surface::Point_3 origin;
+  Indexed_surface::Vector_3 normal;
+
+  // above the plane, times the length of the normal
+  double height(const Indexed_surface::Point_3& p) const { return (p - origin) * normal; }
+};
+
+// The largest distance between two points of a plane with the given normal: convex hull, then the
+// antipodal pairs of its vertices. O(n log n).
+inline double planar_diameter(const std::vector<Indexed_surface::Point_3>& points,
+                              const Indexed_surface::Vector_3& normal)
+{
+  using Point_2 = Exact_predicates_inexact_constructions_kernel::Point_2;
+  using Vector_3 = Indexed_surface::Vector_3;
+  const double x = std::abs(normal.x()), y = std::abs(normal.y()), z = std::abs(normal.z());
+  const double size = (std::max)({x, y, z});
+  if (points.empty() || !(size > 0))
+    return 0;
+  const Vector_3 n = normal / size; // the squares of its coordinates must not underflow
+  Vector_3 u = cross_product(n, x <= (std::min)(y, z) ? Vector_3(1, 0, 0)
+                                : y <= z              ? Vector_3(0, 1, 0)
+                                                      : Vector_3(0, 0, 1));
+  u = u / std::sqrt(u.squared_length());
+  Vector_3 v = cross_product(n, u);
+  v = v / std::sqrt(v.squared_length());
+  std::vector<Point_2> projected, hull;
+  projected.reserve(points.size());
+  for (const Indexed_surface::Point_3& p : points)
+    projected.emplace_back((p - points.front()) * u, (p - points.front()) * v);
+  convex_hull_2(projected.begin(), projected.end(), std::back_inserter(hull));
+
+  // the ends of nearly collinear points, whose hull is so thin that rounding misleads the walk below
+  double largest = 0;
+  for (int axis : {0, 1})
+  {
+    const auto ends = std::minmax_element(hull.begin(), hull.end(), [axis](const Point_2& p, const Point_2& q)
+                                          { return p[axis] < q[axis]; });
+    largest = (std::max)(largest, squared_distance(*ends.first, *ends.second));
+  }
+  const std::size_t h = hull.size();
+  for (std::size_t i = 0, j = 1 % h; i < h; ++i)
+  {
+    // walk on while the next hull vertex is farther from the edge that begins at vertex i
+    const auto edge = hull[(i + 1) % h] - hull[i];
+    while (h > 2 && determinant(edge, hull[(j + 1) % h] - hull[j]) > 0)
+      j = (j + 1) % h;
+    largest = (std::max)({largest, squared_distance(hull[i], hull[j]),
+                          squared_distance(hull[(i + 1) % h], hull[j])});
+  }
+  return std::sqrt(largest);
+}
+
+// Sections of a surface by planes, found by walking over the faces that a plane crosses. A connected
+// component of a section costs time linear in its length, whatever the size of the surface.
+class Plane_section
+{
+public:
+  using Index = Indexed_surface::Index;
+  using Point_3 = Indexed_surface::Point_3;
+
+  explicit Plane_section(const Indexed_surface& part) : m_part(part), m_visited(part.number_of_faces(), 0) {}
+
+  // Forgets which faces were visited: to be called before the first component of each plane.
+  void start() { ++m_section; }
+
+  // Adds to `points` where the plane crosses the edges of the component through `face`, each edge once; adds
+  // nothing if the plane does not cross the face or the component was visited since the last call to start().
+  void component(Index face, const Section_plane& plane, std::vector<Point_3>& points)
+  {
+    m_queue.assign(1, face);
+    while (!m_queue.empty())
+    {
+      const Index f = m_queue.back();
+      m_queue.pop_back();
+      if (m_visited[f] == m_section)
+        continue;
+      m_visited[f] = m_section;
+      cross_face(f, plane, points);
+    }
+  }
+
+private:
+  // A vertex on the plane counts as above, so that every edge is crossed or not and no case is degenerate.
+  void cross_face(Index f, const Section_plane& plane, std::vector<Point_3>& points)
+  {
+    const Point_3* p = &m_part.point(m_part.vertex(m_part.first_corner(f)));
+    double height = plane.height(*p);
+    const double first_height = height;
+    for (Index c = m_part.first_corner(f); c < m_part.first_corner(f + 1); ++c)
+    {
+      const Index next = m_part.next_corner(f, c);
+      const Point_3* q = &m_part.point(m_part.vertex(next));
+      const double next_height = next == m_part.first_corner(f) ? first_height : plane.height(*q);
+      if ((height >= 0) != (next_height >= 0) && enter(m_part.neighbor(c)))
+        points.push_back(*p + (*q - *p) * (height / (height - next_height)));
+      p = q;
+      height = next_height;
+    }
+  }
+
+  // Whether the face beyond a crossed edge is still to be visited, or there is none: else the edge was
+  // crossed from there.
+  bool enter(Index neighbor)
+  {
+    if (neighbor == Indexed_surface::no_face())
+      return true;
+    if (m_visited[neighbor] == m_section)
+      return false;
+    m_queue.push_back(neighbor);
+    return true;
+  }
+
+  const Indexed_surface& m_part;
+  std::vector<std::uint32_t> m_visited; // the last section that a face was visited for
+  std::uint32_t m_section = 0;
+  std::vector<Index> m_queue;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_PLANE_SECTION_H

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Writing a file so that it appears under its name only when it is complete.
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_IO_WRITE_COMPLETE_FILE_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_IO_WRITE_COMPLETE_FILE_H
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <string>
+#include <system_error>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Calls `write(std::ostream&)`, binary, so that lines end alike everywhere. Returns whether all of
+// it reached the file.
+template <typename Write>
+bool write_file(const std::filesystem::path& file, const Write& write)
+{
+  std::ofstream out(file, std::ios::binary);
+  if(!out)
+    return false;
+  write(out);
+  out.close();
+  return bool(out);
+}
+
+// A free name in the same folder, as renaming replaces a file at once only within a file system.
+inline std::filesystem::path temporary_name_beside(const std::filesystem::path& file)
+{
+  std::random_device random;
+  std::filesystem::path result;
+  std::error_code ignored;
+  do
+  {
+    result = file;
+    result += "." + std::to_string(random()) + ".part";
+  }
+  while(std::filesystem::exists(result, ignored));
+  return result;
+}
+
+// Removes the temporary file in any case, also when `write` throws; it is gone after renaming.
+class Temporary_file
+{
+public:
+  explicit Temporary_file(const std::filesystem::path& target)
+    : m_name(temporary_name_beside(target))
+  { }
+  Temporary_file(const Temporary_file&) = delete;
+  Temporary_file& operator=(const Temporary_file&) = delete;
+  ~Temporary_file()
+  {
+    std::error_code ignored;
+    std::filesystem::remove(m_name, ignored);
+  }
+
+  const std::filesystem::path& name() const { return m_name; }
+
+private:
+  std::filesystem::path m_name;
+};
+
+// Writes what `write(std::ostream&)` writes to `file_name`; returns false if that fails, and leaves
+// the file that was there, if any. Links are followed; devices and pipes are written directly.
+template <typename Write>
+bool write_complete_file(const std::string& file_name, const Write& write)
+{
+  namespace fs = std::filesystem;
+
+  std::error_code error;
+  const fs::path target = fs::is_symlink(file_name, error) ? fs::weakly_canonical(file_name, error)
+                                                           : fs::path(file_name);
+  if(target.empty() || fs::is_directory(target, error))
+    return false;
+  if(fs::exists(target, error) && !fs::is_regular_file(target, error))
+    return write_file(target, write);
+
+  const Temporary_file temporary(target);
+  if(!write_file(temporary.name(), write))
+    return false;
+  error.clear();
+  fs::rename(temporary.name(), target, error);
+  return !error;
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_IO_WRITE_COMPLETE_FILE_H

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CANONICAL_ORDER_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CANONICAL_ORDER_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Two zero bits behind each of the lower 21 bits.
+inline std::uint64_t spread_bits(std::uint64_t bits)
+{
+  bits &= 0x1fffff;
+  bits = (bits | bits << 32) & 0x001f00000000ffff;
+  bits = (bits | bits << 16) & 0x001f0000ff0000ff;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00f;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
+  return (bits | bits << 2) & 0x1249249249249249;
+}
+
+// The place of a point of [-1, 1]^3 on the Z-order curve through a grid of 2^21 cells in each direction.
+inline std::uint64_t z_order(const Indexed_surface::Point_3& p)
+{
+  constexpr double cells = 1 << 21;
+  const auto cell = [](double x)
+  { return static_cast<std::uint64_t>((std::min)((std::max)((x + 1) / 2, 0.) * cells, cells - 1)); };
+  return spread_bits(cell(p.x())) | spread_bits(cell(p.y())) << 1 | spread_bits(cell(p.z())) << 2;
+}
+
+inline Indexed_surface::Point_3 mean_of_corners(const Surface_arrays& surface, Indexed_surface::Index face)
+{
+  const Indexed_surface::Index first = surface.first_corner(face), end = surface.first_corner(face + 1);
+  const Indexed_surface::Point_3& origin = surface.point(surface.vertex(first));
+  Indexed_surface::Vector_3 sum(0, 0, 0);
+  for (Indexed_surface::Index c = first + 1; c < end; ++c)
+    sum += surface.point(surface.vertex(c)) - origin;
+  return origin + sum / static_cast<double>(end - first);
+}
+
+// The faces in the order of their centres on the Z-order curve. The stages work in this order, so that a tie
+// is decided by where a face is and not by its place in a file, sums are rounded alike, and neighbours on the
+// surface are near in memory. Only faces with the same centre stay in the order of the mesh.
+inline std::vector<Indexed_surface::Index> canonical_order(const Surface_arrays& surface)
+{
+  using Index = Indexed_surface::Index;
+  std::vector<std::pair<std::uint64_t, Index>> places;
+  places.reserve(surface.number_of_faces());
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    places.emplace_back(z_order(mean_of_corners(surface, f)), f);
+  std::sort(places.begin(), places.end(), [&surface](const auto& a, const auto& b)
+            {
+              if (a.first != b.first)
+                return a.first < b.first;
+              const Indexed_surface::Point_3 p = mean_of_corners(surface, a.second);
+              const Indexed_surface::Point_3 q = mean_of_corners(surface, b.second);
+              return p != q ? p < q : a.second < b.second;
+            });
+  std::vector<Index> order;
+  order.reserve(places.size());
+  for (const auto& place : places)
+    order.push_back(place.second);
+  return order;
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CANONICAL_ORDER_H

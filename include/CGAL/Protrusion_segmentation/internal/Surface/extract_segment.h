@@ -1,0 +1,122 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_EXTRACT_SEGMENT_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_EXTRACT_SEGMENT_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Chooses and orders faces of a surface, `Indexed_surface` or `Surface_arrays`. The work arrays, as long as the
+// surface, are kept between calls; a call takes time linear in the number of faces that it chooses.
+template <typename Surface>
+class Face_selector
+{
+public:
+  using Index = Indexed_surface::Index;
+
+  explicit Face_selector(const Surface& surface)
+    : m_surface(surface),
+      m_new_face(surface.number_of_faces(), none),
+      m_new_vertex(surface.number_of_vertices(), none)
+  {}
+
+  // The given faces, numbered in the given order; vertices are numbered as the faces need them. Calls
+  // `lost_neighbor(i)` for the i-th face for each neighbour that was not chosen.
+  template <typename LostNeighbor>
+  Surface_arrays operator()(const std::vector<Index>& faces, LostNeighbor lost_neighbor)
+  {
+    for (Index i = 0; i < faces.size(); ++i)
+      m_new_face[faces[i]] = i;
+    Surface_arrays result = reserved(faces);
+    std::vector<Index> vertices; // of the surface, in the order of the points
+    for (Index i = 0; i < faces.size(); ++i)
+    {
+      for (Index c = m_surface.first_corner(faces[i]); c < m_surface.first_corner(faces[i] + 1); ++c)
+      {
+        const Index v = m_surface.vertex(c);
+        if (m_new_vertex[v] == none)
+        {
+          m_new_vertex[v] = static_cast<Index>(vertices.size());
+          vertices.push_back(v);
+        }
+        result.corner_vertices.push_back(m_new_vertex[v]);
+        const Index g = m_surface.neighbor(c);
+        result.corner_neighbors.push_back(g == Indexed_surface::no_face() ? g : m_new_face[g]);
+        if (g != Indexed_surface::no_face() && m_new_face[g] == none)
+          lost_neighbor(i);
+      }
+      result.corner_begin.push_back(static_cast<Index>(result.corner_vertices.size()));
+    }
+    result.points.reserve(vertices.size());
+    for (Index v : vertices)
+      result.points.push_back(m_surface.point(v));
+    for (Index f : faces)
+      m_new_face[f] = none;
+    for (Index v : vertices)
+      m_new_vertex[v] = none;
+    return result;
+  }
+
+private:
+  static constexpr Index none = Indexed_surface::no_face();
+
+  Surface_arrays reserved(const std::vector<Index>& faces) const
+  {
+    std::size_t number_of_corners = 0;
+    for (Index f : faces)
+      number_of_corners += m_surface.first_corner(f + 1) - m_surface.first_corner(f);
+    Surface_arrays result;
+    result.corner_begin.reserve(faces.size() + 1);
+    result.corner_vertices.reserve(number_of_corners);
+    result.corner_neighbors.reserve(number_of_corners);
+    return result;
+  }
+
+  const Surface& m_surface;
+  std::vector<Index> m_new_face;
+  std::vector<Index> m_new_vertex;
+};
+
+// A segment as a surface of its own.
+struct Extracted_segment
+{
+  Indexed_surface part;
+  std::vector<Indexed_surface::Index> faces; // the face of the whole surface for every face of the part
+  std::vector<bool> is_on_cut;            // whether a face of the part lost a neighbour
+};
+
+// Cuts segments out of a surface.
+class Segment_extractor
+{
+public:
+  using Index = Indexed_surface::Index;
+
+  explicit Segment_extractor(const Indexed_surface& surface) : m_select(surface) {}
+
+  // The part with the given faces, numbered in the given order.
+  Extracted_segment operator()(std::vector<Index> faces)
+  {
+    std::vector<bool> is_on_cut(faces.size(), false);
+    Surface_arrays arrays = m_select(faces, [&is_on_cut](Index i) { is_on_cut[i] = true; });
+    return {std::move(arrays).to_part(), std::move(faces), std::move(is_on_cut)};
+  }
+
+private:
+  Face_selector<Indexed_surface> m_select;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_EXTRACT_SEGMENT_H

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_READ_SURFACE_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_READ_SURFACE_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/iterator.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+#include <CGAL/boost/graph/properties.h>
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A mesh as index arrays, and the factor that turns its lengths back into those of the mesh.
+struct Arrays_of_mesh
+{
+  Surface_arrays surface;
+  double unit = 1;
+};
+struct Surface_of_mesh
+{
+  Indexed_surface surface;
+  double unit = 1;
+};
+
+// Moves the box of the points to the origin and scales it by a power of two to [-1, 1]^3; returns the
+// factor back. A power of two changes no digit, so that a mesh scaled by two gives the same numbers.
+// The first scaling keeps the subtraction of coordinates near the largest double from overflowing. Only there
+// the result fills [-2, 2]^3: the factor 2^1024 would be no double.
+inline double normalize(std::vector<Indexed_surface::Point_3>& points)
+{
+  int exponent = 0;
+  const auto scale_by_largest = [&points, &exponent]()
+  {
+    double largest = 0;
+    for (const Indexed_surface::Point_3& p : points)
+      largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+    int e = 0;
+    std::frexp(largest, &e);
+    e = (std::min)(e, std::numeric_limits<double>::max_exponent - 1 - exponent);
+    for (Indexed_surface::Point_3& p : points)
+      p = {std::ldexp(p.x(), -e), std::ldexp(p.y(), -e), std::ldexp(p.z(), -e)};
+    exponent += e;
+  };
+
+  scale_by_largest();
+  const Bbox_3 box = bbox_3(points.begin(), points.end());
+  const Indexed_surface::Vector_3 centre((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
+                                      (box.zmin() + box.zmax()) / 2);
+  for (Indexed_surface::Point_3& p : points)
+    p = p - centre;
+  scale_by_largest();
+  return std::ldexp(1., exponent);
+}
+
+// Numbers the vertices that have a face, in the order of `vertices(mesh)`, and returns their coordinates.
+// Isolated vertices are no part of the surface: a far one would make the rest of the mesh tiny.
+template <typename FaceGraph, typename VertexPointMap, typename VertexNumbers>
+std::vector<Indexed_surface::Point_3> read_points(const FaceGraph& mesh,
+                                               VertexPointMap vpm,
+                                               VertexNumbers& numbers)
+{
+  std::vector<Indexed_surface::Point_3> points;
+  points.reserve(num_vertices(mesh));
+  std::size_t position = 0;
+  for (const auto v : vertices(mesh))
+  {
+    const std::size_t i = position++;
+    if (halfedge(v, mesh) == boost::graph_traits<FaceGraph>::null_halfedge())
+      continue;
+    const auto& p = get(vpm, v);
+    const std::array<double, 3> xyz = {CGAL::to_double(p.x()), CGAL::to_double(p.y()),
+                                       CGAL::to_double(p.z())};
+    for (double x : xyz)
+      if (!std::isfinite(x))
+        throw std::invalid_argument("tmesh: vertex " + std::to_string(i) +
+                                    " has a coordinate that is not finite");
+    put(numbers, v, static_cast<Indexed_surface::Index>(points.size()));
+    points.emplace_back(xyz[0], xyz[1], xyz[2]);
+  }
+  return points;
+}
+
+// The halfedge of a face from its lexicographically smallest point on: which one `halfedge(f, mesh)` is depends
+// on how the mesh was built.
+template <typename FaceGraph, typename VertexNumbers>
+typename boost::graph_traits<FaceGraph>::halfedge_descriptor first_halfedge(
+  typename boost::graph_traits<FaceGraph>::face_descriptor f,
+  const FaceGraph& mesh,
+  const VertexNumbers& numbers,
+  const std::vector<Indexed_surface::Point_3>& points)
+{
+  auto first = halfedge(f, mesh);
+  for (const auto h : halfedges_around_face(first, mesh))
+    if (points[get(numbers, source(h, mesh))] < points[get(numbers, source(first, mesh))])
+      first = h;
+  return first;
+}
+
+// Reads the index arrays of a mesh: faces in the order of `faces(mesh)`. Linear time.
+template <typename FaceGraph, typename NamedParameters>
+Arrays_of_mesh read_arrays(const FaceGraph& mesh, const NamedParameters& np)
+{
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using Index = Indexed_surface::Index;
+
+  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
+                                    get_const_property_map(CGAL::vertex_point, mesh));
+  auto vertex_numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
+  auto face_numbers = get(CGAL::dynamic_face_property_t<Index>(), mesh);
+
+  Arrays_of_mesh result;
+  Surface_arrays& arrays = result.surface;
+  arrays.points = read_points(mesh, vpm, vertex_numbers);
+  Index number_of_faces = 0;
+  std::size_t number_of_corners = 0;
+  for (const auto f : faces(mesh))
+  {
+    put(face_numbers, f, number_of_faces++);
+    number_of_corners += halfedges_around_face(halfedge(f, mesh), mesh).size();
+  }
+  if (number_of_corners >= Indexed_surface::no_face())
+    throw std::length_error("tmesh: more corners of faces than a 32 bit index can number");
+
+  arrays.corner_begin.reserve(number_of_faces + 1);
+  arrays.corner_vertices.reserve(number_of_corners);
+  arrays.corner_neighbors.reserve(number_of_corners);
+  const auto null_face = boost::graph_traits<FaceGraph>::null_face();
+  for (const auto f : faces(mesh))
+  {
+    for (const auto h :
+         halfedges_around_face(first_halfedge(f, mesh, vertex_numbers, arrays.points), mesh))
+    {
+      const auto g = face(opposite(h, mesh), mesh);
+      arrays.corner_vertices.push_back(get(vertex_numbers, source(h, mesh)));
+      arrays.corner_neighbors.push_back(g == null_face || g == f ? Indexed_surface::no_face()
+                                                                 : get(face_numbers, g));
+    }
+    arrays.corner_begin.push_back(static_cast<Index>(arrays.corner_vertices.size()));
+  }
+  result.unit = normalize(arrays.points);
+  return result;
+}
+
+// A mesh as a surface, faces in the order of `faces(mesh)`. Linear time.
+template <typename FaceGraph, typename NamedParameters>
+Surface_of_mesh read_surface(const FaceGraph& mesh, const NamedParameters& np)
+{
+  Arrays_of_mesh arrays = read_arrays(mesh, np);
+  return {std::move(arrays.surface).to_part(), arrays.unit};
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_READ_SURFACE_H

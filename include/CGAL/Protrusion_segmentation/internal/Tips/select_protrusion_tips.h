@@ -1,0 +1,84 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_TIPS_SELECT_PROTRUSION_TIPS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_TIPS_SELECT_PROTRUSION_TIPS_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+template <typename Distances, typename = void>
+struct Has_face_of_largest_sum : std::false_type {};
+
+template <typename Distances>
+struct Has_face_of_largest_sum<
+  Distances, std::void_t<decltype(std::declval<Distances&>().face_of_largest_sum())>> : std::true_type {};
+
+// Eq. (1): by the distance's own way if it has one, else from all pairs.
+template <typename Distances>
+Indexed_surface::Index first_protrusion_tip(const Indexed_surface& part, Distances& distances)
+{
+  if constexpr (Has_face_of_largest_sum<Distances>::value)
+    return distances.face_of_largest_sum();
+  else
+    return largest_distance_sum_of_all_pairs(part, distances);
+}
+
+struct Tip_selection
+{
+  std::vector<Indexed_surface::Index> tips;
+  std::size_t number_of_eliminated = 0;
+};
+
+// Section III.C: eq. (1), then eq. (2) until there are `count` plausible tips or no face is left at a
+// distance from all tips. An implausible one is eliminated: it takes part in eq. (2) but does not count; so
+// that a surface without plausible tips comes to an end, `count` eliminations end the selection.
+// `visit(tip, distances from the tip)` is called for every tip, eliminated or not: one distance computation
+// serves the selection and the histograms.
+template <typename Distances, typename Plausible, typename Visit>
+Tip_selection select_protrusion_tips(const Indexed_surface& part,
+                                     Distances& distances,
+                                     std::size_t count,
+                                     Plausible is_plausible,
+                                     Visit visit)
+{
+  using Index = Indexed_surface::Index;
+  Tip_selection selection;
+  Index face = count > 0 ? first_protrusion_tip(part, distances) : 0;
+  std::vector<double> to_nearest_tip(part.number_of_faces(), (std::numeric_limits<double>::max)());
+  std::vector<double> from_tip;
+  while (selection.tips.size() < count)
+  {
+    distances(face, from_tip);
+    visit(face, from_tip);
+    if (is_plausible(face))
+      selection.tips.push_back(face);
+    else if (++selection.number_of_eliminated == count)
+      break;
+    for (Index f = 0; f < part.number_of_faces(); ++f)
+      to_nearest_tip[f] = (std::min)(to_nearest_tip[f], from_tip[f]);
+    face = static_cast<Index>(std::max_element(to_nearest_tip.begin(), to_nearest_tip.end()) -
+                              to_nearest_tip.begin());
+    if (to_nearest_tip[face] <= 0)
+      break;
+  }
+  return selection;
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_TIPS_SELECT_PROTRUSION_TIPS_H
