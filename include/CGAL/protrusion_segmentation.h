@@ -5,15 +5,16 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_H
 #define CGAL_PROTRUSION_SEGMENTATION_H
 
-#include <CGAL/Protrusion_segmentation/Default_visitor.h>
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
+#include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
 #include <CGAL/Protrusion_segmentation/internal/segment_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>
+#include <CGAL/tags.h>
 
 #include <boost/graph/graph_traits.hpp>
 
@@ -26,7 +27,7 @@ namespace CGAL {
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-splits a surface mesh into a body and its protrusions, with distances and a border method of choice.
+splits a surface mesh into a body and its protrusions, by a method of choice.
 
 Segment ids are 0 to n-1, where n is the returned number. Every segment is a connected set of faces.
 Connected components have the first ids. The ids depend on where the faces are and not on the order of
@@ -38,18 +39,23 @@ what remains of a component in the end, its body, has the id of the component.
 A mesh of several connected components has at least as many segments, even if fewer were asked for. It may
 have fewer segments than asked for if no more borders are found.
 
+Coordinates are converted to `double` by `CGAL::to_double()`, whatever the kernel of the points is: those of an
+exact kernel are rounded.
+
+\tparam ConcurrencyTag `Sequential_tag`, the default, or `Parallel_tag`, which needs oneTBB. The segments are the
+                       same.
 \tparam FaceGraph a model of `FaceListGraph` with a point for each vertex
 \tparam SegmentMap a model of `WritablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor`
                    as key type and `std::size_t` as value type
-\tparam Distance a model of `ProtrusionDistance`
-\tparam Border a model of `ProtrusionBorder`
+\tparam Number any integer type
+\tparam Method `Protrusion_segmentation::Minimum_cut_method` or `Protrusion_segmentation::Histogram_method`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param tmesh the mesh. Faces may be any polygons; there may be borders and several components.
 \param segment_ids the segment of every face; written only if the function succeeds
 \param number_of_segments the number of segments k, from 1 to the number of faces
-\param distance the distance on the surface, for instance `Protrusion_segmentation::Geodesic_distance`
-\param border the border method, for instance `Protrusion_segmentation::Histogram_method`
+\param method the method with its options and its distance, for instance
+       `Protrusion_segmentation::Histogram_method(Protrusion_segmentation::Landmark_geodesic_distance(0.1))`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -77,100 +83,130 @@ have fewer segments than asked for if no more borders are found.
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of the progress and of what was found, and can stop the function. It is
                           copied unless it is passed by `std::ref()`.}
-    \cgalParamType{a model of `ProtrusionSegmentationVisitor`}
-    \cgalParamDefault{`Protrusion_segmentation::Default_visitor`}
+    \cgalParamType{a class that derives from `Protrusion_segmentation::Segmentation_visitor<FaceGraph>`}
+    \cgalParamDefault{`Protrusion_segmentation::Segmentation_visitor<FaceGraph>`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return the number of segments, or 0 if the visitor stopped the function, or if the mesh has no faces and no
         number of segments is given; in both cases nothing is written
 
-\throw std::invalid_argument if `number_of_segments` is 0 or larger than the number of faces, or if a
-       coordinate is not finite
+\throw std::invalid_argument if `number_of_segments` is below 1 or larger than the number of faces, if a
+       coordinate is not finite, or if a distance of a user's gives anything else than numbers from 0 on
 
-Complexity: with `Protrusion_segmentation::Geodesic_distance` a few shortest path computations per segment,
-each about linear in the number of faces.
+Complexity: that of the method.
 */
-template <typename FaceGraph,
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
           typename SegmentMap,
-          typename Distance,
-          typename Border,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+          typename Number,
+          typename Method,
+          typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          ,
+          Protrusion_segmentation::internal::If_number<Number> = 0,
+          Protrusion_segmentation::internal::If_method<Method> = 0
+#endif
+          >
 std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
                                              SegmentMap segment_ids,
-                                             std::size_t number_of_segments,
-                                             const Distance& distance,
-                                             const Border& border,
+                                             Number number_of_segments,
+                                             const Method& method,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::segment_mesh(tmesh, segment_ids, number_of_segments, distance,
-                                                         border, np);
+  namespace internal = Protrusion_segmentation::internal;
+
+  return internal::segment_mesh<ConcurrencyTag>(
+    tmesh, segment_ids, internal::checked_count("number_of_segments", number_of_segments), method, np);
 }
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-splits a surface mesh into a body and as many protrusions as there are evident ones, with distances and a
-border method of choice: the method stops by itself, the first criterion of Section III of the paper.
+splits a surface mesh into a body and as many protrusions as there are evident ones, by a method of choice: the
+method stops by itself, the first criterion of Section III of the paper.
 
-\param tmesh, segment_ids, distance, border, np as for the function with a number of segments, a
-       distance and a border method
-\return as for the function with a number of segments, a distance and a border method
+\param tmesh, segment_ids, method, np as for the function with a number of segments and a method
+\return as for the function with a number of segments and a method
 */
-template <typename FaceGraph,
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
           typename SegmentMap,
-          typename Distance,
-          typename Border,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+          typename Method,
+          typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          ,
+          Protrusion_segmentation::internal::If_method<Method> = 0
+#endif
+          >
 std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
                                              SegmentMap segment_ids,
-                                             const Distance& distance,
-                                             const Border& border,
+                                             const Method& method,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::segment_mesh(tmesh, segment_ids, std::nullopt, distance, border,
-                                                         np);
+  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(tmesh, segment_ids, std::nullopt, method, np);
 }
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-splits a surface mesh into `number_of_segments` segments with the default distance,
-`Protrusion_segmentation::Geodesic_distance`, and the default border method,
+splits a surface mesh into `number_of_segments` segments by the default method,
 `Protrusion_segmentation::Minimum_cut_method`.
 
-\param tmesh, segment_ids, number_of_segments, np as for the function with a number of segments, a
-       distance and a border method
-\return as for the function with a number of segments, a distance and a border method
+\param tmesh, segment_ids, number_of_segments, np as for the function with a number of segments and a method
+\return as for the function with a number of segments and a method
 */
-template <typename FaceGraph, typename SegmentMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename SegmentMap,
+          typename Number,
+          typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          ,
+          Protrusion_segmentation::internal::If_number<Number> = 0
+#endif
+          >
 std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
                                              SegmentMap segment_ids,
-                                             std::size_t number_of_segments,
+                                             Number number_of_segments,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return segmentation_via_protrusion_tips(tmesh, segment_ids, number_of_segments,
-                                          Protrusion_segmentation::Geodesic_distance(),
-                                          Protrusion_segmentation::Minimum_cut_method(), np);
+  return segmentation_via_protrusion_tips<ConcurrencyTag>(tmesh, segment_ids, number_of_segments,
+                                                          Protrusion_segmentation::Minimum_cut_method(), np);
 }
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-splits a surface mesh into a body and its evident protrusions with the default distance and border method.
+splits a surface mesh into a body and its evident protrusions by the default method,
+`Protrusion_segmentation::Minimum_cut_method`.
 
-\param tmesh, segment_ids, np as for the function with a number of segments, a
-       distance and a border method
-\return as for the function with a number of segments, a distance and a border method
+\param tmesh, segment_ids, np as for the function with a number of segments and a method
+\return as for the function with a number of segments and a method
 */
-template <typename FaceGraph, typename SegmentMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename SegmentMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
 std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
                                              SegmentMap segment_ids,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return segmentation_via_protrusion_tips(tmesh, segment_ids, Protrusion_segmentation::Geodesic_distance(),
-                                          Protrusion_segmentation::Minimum_cut_method(), np);
+  return segmentation_via_protrusion_tips<ConcurrencyTag>(tmesh, segment_ids,
+                                                          Protrusion_segmentation::Minimum_cut_method(), np);
 }
+
+#ifndef DOXYGEN_RUNNING
+// What no function above accepts, with the reason in one line.
+template <typename ConcurrencyTag = Sequential_tag, typename FaceGraph, typename SegmentMap, typename... Others>
+std::size_t segmentation_via_protrusion_tips(const FaceGraph&, SegmentMap, const Others&...)
+{
+  static_assert(sizeof...(Others) > 100,
+                "what follows segment_ids must be a number of segments, a method, or both, and then named parameters; "
+                "a distance belongs to a method, as in Histogram_method(Landmark_geodesic_distance(0.1))");
+  return 0;
+}
+#endif
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
@@ -178,35 +214,73 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 selects protrusion tips, Section III.C: the face with the largest sum of distances to all faces,
 eq.&nbsp;(1), then again and again the face farthest from all tips so far, eq.&nbsp;(2).
 
-In a mesh of several connected components, each tip is selected in the component of largest area per tip,
-the new one counted.
+In a mesh of several connected components, the number of tips is shared out by area: one tip after the other goes to
+the component that has the largest area for each of its tips, this one counted.
 
+\tparam ConcurrencyTag as for `segmentation_via_protrusion_tips()`
+\tparam Number any integer type
 \tparam OutputIterator a model of `OutputIterator` that accepts
                        `boost::graph_traits<FaceGraph>::%face_descriptor`
+\tparam Distance a model of `ProtrusionDistance`
 
 \param tmesh the mesh
 \param number_of_tips the number of tips, at most the number of faces
 \param tips where the faces at the tips are written, in the order of selection in each component; fewer than
-            asked for if the remaining faces are at no distance from a tip
+            asked for if the remaining faces are at no distance from a tip; none if the visitor stops the function
 \param distance the distance on the surface
-\param np an optional sequence of named parameters, among `vertex_point_map` and `random_seed` as for
+\param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed` and `visitor` as for
           `segmentation_via_protrusion_tips()`
 
 \return `tips`, advanced
 
-\throw std::invalid_argument if there are more tips than faces, or if a coordinate is not finite
+\throw std::invalid_argument if there are more tips than faces, if their number is negative, or if a coordinate is
+       not finite
+
+Complexity: one distance computation for each tip, and those that the distance needs for eq. (1).
 */
-template <typename FaceGraph,
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename Number,
           typename OutputIterator,
           typename Distance,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+          typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          ,
+          std::enable_if_t<Protrusion_segmentation::internal::Is_distance<Distance>::value, int> = 0
+#endif
+          >
 OutputIterator protrusion_tips(const FaceGraph& tmesh,
-                               std::size_t number_of_tips,
+                               Number number_of_tips,
                                OutputIterator tips,
                                const Distance& distance,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::select_mesh_tips(tmesh, number_of_tips, tips, distance, np);
+  namespace internal = Protrusion_segmentation::internal;
+
+  return internal::select_mesh_tips<ConcurrencyTag>(
+    tmesh, internal::checked_count("number_of_tips", number_of_tips), tips, distance, np);
+}
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+selects protrusion tips by `Protrusion_segmentation::Geodesic_distance`.
+
+\param tmesh, number_of_tips, tips, np as for the function with a distance
+\return as for the function with a distance
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename Number,
+          typename OutputIterator,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+OutputIterator protrusion_tips(const FaceGraph& tmesh,
+                               Number number_of_tips,
+                               OutputIterator tips,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return protrusion_tips<ConcurrencyTag>(tmesh, number_of_tips, tips, Protrusion_segmentation::Geodesic_distance(),
+                                         np);
 }
 
 /*!
@@ -215,62 +289,126 @@ OutputIterator protrusion_tips(const FaceGraph& tmesh,
 cuts off the protrusions of given tips, steps 3 and 4 of Section III.A: for tips of `protrusion_tips()`,
 edited or picked by a user.
 
+One tip cuts off its protrusion. A tip that is given twice counts once, and so do two tips whose faces share a vertex.
 A tip for which no border is found, or that already lies in the protrusion of another one, makes no segment.
 
+\tparam ConcurrencyTag, FaceGraph, SegmentMap, Method as for `segmentation_via_protrusion_tips()`
 \tparam FaceRange a range of `boost::graph_traits<FaceGraph>::%face_descriptor`
 
 \param tips the faces at the tips
-\param tmesh, segment_ids, distance, border, np as for `segmentation_via_protrusion_tips()`
+\param tmesh, segment_ids, method, np as for `segmentation_via_protrusion_tips()`
 
-\return as for `segmentation_via_protrusion_tips()`
+\return as for `segmentation_via_protrusion_tips()`; at most one segment for each tip and each component
 
 \throw std::invalid_argument if a face of `tips` is not in `tmesh`, or if a coordinate is not finite
 */
-template <typename FaceGraph,
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
           typename FaceRange,
           typename SegmentMap,
-          typename Distance,
-          typename Border,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
+          typename Method,
+          typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          ,
+          Protrusion_segmentation::internal::If_method<Method> = 0
+#endif
+          >
 std::size_t segmentation_from_protrusion_tips(const FaceGraph& tmesh,
                                               const FaceRange& tips,
                                               SegmentMap segment_ids,
-                                              const Distance& distance,
-                                              const Border& border,
+                                              const Method& method,
                                               const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::segment_mesh_from_tips(tmesh, tips, segment_ids, distance,
-                                                                   border, np);
+  return Protrusion_segmentation::internal::segment_mesh_from_tips<ConcurrencyTag>(tmesh, tips, segment_ids, method,
+                                                                                   np);
 }
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-computes the hierarchy of nested protrusions with the default distance and border method: one call that
-serves every number of segments.
+cuts off the protrusions of given tips by the default method, `Protrusion_segmentation::Minimum_cut_method`.
 
-For every k, the segmentation of the hierarchy is the one of `segmentation_via_protrusion_tips()`.
+\param tmesh, tips, segment_ids, np as for the function with a method
+\return as for the function with a method
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename FaceRange,
+          typename SegmentMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::size_t segmentation_from_protrusion_tips(const FaceGraph& tmesh,
+                                              const FaceRange& tips,
+                                              SegmentMap segment_ids,
+                                              const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return segmentation_from_protrusion_tips<ConcurrencyTag>(tmesh, tips, segment_ids,
+                                                           Protrusion_segmentation::Minimum_cut_method(), np);
+}
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+computes the hierarchy of nested protrusions by a method of choice: one call that serves every number of segments.
+
+For `Minimum_cut_method`, the segmentation of the hierarchy for every k is the one of
+`segmentation_via_protrusion_tips()`. `Histogram_method` looks for several borders at once when several segments are
+missing, so that only the segmentation for the maximum number is the same.
+
+\tparam ConcurrencyTag, FaceGraph, Number, Method as for `segmentation_via_protrusion_tips()`
 
 \param tmesh the mesh
 \param maximum_number_of_segments where to stop, from 1 to the number of faces; the hierarchy ends earlier if
        no more borders are found
+\param method the method with its options and its distance
 \param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed` and `visitor` as
        for `segmentation_via_protrusion_tips()`
 
 \return the hierarchy; an empty one if the visitor stopped the function
 
-\throw std::invalid_argument if `maximum_number_of_segments` is 0 or larger than the number of faces, or if a
+\throw std::invalid_argument if `maximum_number_of_segments` is below 1 or larger than the number of faces, or if a
        coordinate is not finite
 */
-template <typename FaceGraph, typename CGAL_NP_TEMPLATE_PARAMETERS>
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename Number,
+          typename Method,
+          typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          ,
+          Protrusion_segmentation::internal::If_method<Method> = 0
+#endif
+          >
 Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
   const FaceGraph& tmesh,
-  std::size_t maximum_number_of_segments,
+  Number maximum_number_of_segments,
+  const Method& method,
   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::mesh_hierarchy(
-    tmesh, maximum_number_of_segments, Protrusion_segmentation::Geodesic_distance(),
-    Protrusion_segmentation::Minimum_cut_method(), np);
+  namespace internal = Protrusion_segmentation::internal;
+
+  return internal::mesh_hierarchy<ConcurrencyTag>(
+    tmesh, internal::checked_count("number_of_segments", maximum_number_of_segments), method, np);
+}
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+computes the hierarchy of nested protrusions by the default method, `Protrusion_segmentation::Minimum_cut_method`.
+
+\param tmesh, maximum_number_of_segments, np as for the function with a method
+\return as for the function with a method
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename Number,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
+  const FaceGraph& tmesh,
+  Number maximum_number_of_segments,
+  const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return protrusion_hierarchy<ConcurrencyTag>(tmesh, maximum_number_of_segments,
+                                              Protrusion_segmentation::Minimum_cut_method(), np);
 }
 
 } // namespace CGAL

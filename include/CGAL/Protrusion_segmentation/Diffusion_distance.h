@@ -9,6 +9,7 @@
 #error "Diffusion_distance.h needs the header libraries Eigen and Spectra (Debian: libspectra-dev)"
 #endif
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/diffusion_map.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -53,7 +55,7 @@ eigenvalue are taken or none, since single eigenvectors of a multiple eigenvalue
 The number of steps is measured by the time in which the slowest term decays, 1 / ln(1 / &lambda;<sub>1</sub>)
 steps, since a number that fits a mesh is far too small for the same shape with more faces.
 
-Preparing the distances on a part costs one sparse factorization and some dozen solutions with it, about linear
+Preparing the distances on a surface costs one sparse factorization and some dozen solutions with it, about linear
 time in practice; then the distances from a face take linear time per eigenpair. The memory is about 30
 numbers per face and eigenpair.
 
@@ -64,17 +66,26 @@ The header needs the libraries Eigen and Spectra.
 class Diffusion_distance
 {
 public:
-  /// the distances on one part
+  /// the distances on one surface
   /// \cgalModels{ProtrusionDistancesOnSurface}
   class On_surface
   {
   public:
-    On_surface(const Indexed_surface& part, std::size_t number_of_eigenpairs, double time) : m_part(part)
+    /// computes the eigenpairs of a surface.
+    /// \param surface the surface, which must outlive the object
+    /// \param number_of_eigenpairs the number of terms, above 0
+    /// \param time 0 or above
+    /// \param execution asked whether to go on, which must outlive the object
+    On_surface(const Indexed_surface& surface,
+               std::size_t number_of_eigenpairs,
+               double time,
+               Execution& execution)
+      : m_surface(surface), m_execution(execution)
     {
-      const internal::Random_walk walk = internal::make_random_walk(part);
-      const internal::Eigenpairs pairs = internal::eigenpairs(walk, number_of_eigenpairs);
+      const internal::Random_walk walk = internal::make_random_walk(surface);
+      const internal::Eigenpairs pairs = internal::eigenpairs(walk, number_of_eigenpairs, execution);
       const Eigen::Index size = static_cast<Eigen::Index>(pairs.size());
-      m_points.resize(size, part.number_of_faces());
+      m_points.resize(size, surface.number_of_faces());
       for (Eigen::Index k = 0; k < size; ++k)
         m_points.row(k) = internal::decay(pairs.values, static_cast<std::size_t>(k), time) *
                           internal::right_eigenvector(walk, pairs.vectors[static_cast<std::size_t>(k)]);
@@ -86,26 +97,30 @@ public:
     void operator()(Indexed_surface::Index source, std::vector<double>& distances)
     {
       ++m_number_of_runs;
-      distances.resize(m_part.number_of_faces());
+      distances.resize(m_surface.number_of_faces());
       const Eigen::VectorXd from = m_points.col(source);
-      for (Indexed_surface::Index f = 0; f < m_part.number_of_faces(); ++f)
+      for (Indexed_surface::Index f = 0; f < m_surface.number_of_faces(); ++f)
         distances[f] = (m_points.col(f) - from).norm();
     }
     /// \return the face of eq. (1), found exactly: the distance is a metric
-    Indexed_surface::Index face_of_largest_sum() { return internal::largest_distance_sum(m_part, *this); }
+    Indexed_surface::Index face_of_largest_sum() { return internal::largest_distance_sum(m_surface, *this, m_execution); }
     /// \return from how many faces distances were computed so far
     std::size_t number_of_runs() const { return m_number_of_runs; }
 
-    /// \return the number of terms: fewer than asked for if the part has too few faces, more if the last one's
+    /// \return the number of terms: fewer than asked for if the surface has too few faces, more if the last one's
     /// eigenvalue is a multiple one
     std::size_t number_of_eigenpairs() const { return static_cast<std::size_t>(m_points.rows()); }
 
   private:
-    const Indexed_surface& m_part;
+    const Indexed_surface& m_surface;
+    Execution& m_execution;
     Eigen::MatrixXd m_points; // of each face its coordinates, whose Euclidean distances are the distances
     std::size_t m_number_of_runs = 0;
   };
 
+  /// \return 300: terms beyond are no larger than the solver's errors, and time and memory would grow with their
+  /// number's square
+  static constexpr std::size_t maximum_number_of_eigenpairs() { return 300; }
   /// \return 10: DD(10), the larger of the numbers in the paper's Table I; 5 are a little worse
   static constexpr std::size_t default_number_of_eigenpairs() { return 10; }
   /// \return 0.5, where the paper's method has the least Rand index error on development models of the Princeton benchmark:
@@ -115,26 +130,31 @@ public:
   /// `number_of_eigenpairs` terms after `time` relaxation times of the random walk: <i>t</i> = `time` /
   /// ln(1 / &lambda;<sub>1</sub>) steps. At time 0 all terms have the same weight; with time the
   /// distance approaches a multiple of the difference in &psi;<sub>1</sub>.
-  /// \param number_of_eigenpairs the number of terms, above 0
+  /// \param number_of_eigenpairs the number of terms, from 1 to `maximum_number_of_eigenpairs()`
   /// \param time 0 or above
-  /// \throw std::invalid_argument if `number_of_eigenpairs` is 0, or `time` is negative or not finite
+  /// \throw std::invalid_argument if `number_of_eigenpairs` is out of range, or `time` is negative or not finite
   explicit Diffusion_distance(std::size_t number_of_eigenpairs = default_number_of_eigenpairs(),
                               double time = default_time())
     : m_number_of_eigenpairs(number_of_eigenpairs), m_time(time)
   {
     if (number_of_eigenpairs == 0)
       throw std::invalid_argument("Diffusion_distance: number_of_eigenpairs is 0");
+    if (number_of_eigenpairs > maximum_number_of_eigenpairs())
+      throw std::invalid_argument("Diffusion_distance: number_of_eigenpairs is " +
+                                  std::to_string(number_of_eigenpairs) + ", but at most " +
+                                  std::to_string(maximum_number_of_eigenpairs()) + " are computed");
     if (!(time >= 0 && std::isfinite(time)))
       throw std::invalid_argument("Diffusion_distance: time is negative or not finite");
   }
 
-  /// computes the eigenpairs of a part.
-  /// \param part the part, which must outlive the result
+  /// computes the eigenpairs of a surface.
+  /// \param surface the surface, which must outlive the result
+  /// \param execution asked whether to go on, which must outlive the result
   /// \return the distances on it
   /// \throw std::runtime_error if the eigenvalue solver does not converge
-  On_surface on(const Indexed_surface& part, unsigned int /* random_seed */) const
+  On_surface on(const Indexed_surface& surface, Execution& execution) const
   {
-    return On_surface(part, m_number_of_eigenpairs, m_time);
+    return On_surface(surface, m_number_of_eigenpairs, m_time, execution);
   }
 
 private:

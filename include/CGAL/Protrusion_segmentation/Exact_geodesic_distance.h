@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_EXACT_GEODESIC_DISTANCE_H
 #define CGAL_PROTRUSION_SEGMENTATION_EXACT_GEODESIC_DISTANCE_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
@@ -42,20 +43,23 @@ hundred times as long as shortest paths in the face dual graph: a reference for 
 class Exact_geodesic_distance
 {
 public:
-  /// the distances on one part
+  /// the distances on one surface
   /// \cgalModels{ProtrusionDistancesOnSurface}
   class On_surface
   {
   public:
-    explicit On_surface(const Indexed_surface& part)
-      : m_part(part),
-        m_triangulated(std::make_unique<Triangulated>(internal::Surface_triangulator<Point>(part)())),
-        m_shortest_distances(part)
+    On_surface(const Indexed_surface& surface, Execution& execution)
+      : m_surface(surface),
+        m_execution(execution),
+        m_triangulated(internal::triangulate_for_paths<Point>(surface)),
+        m_shortest_distances(surface)
     {
-      if (!(part.area() > 0) || !internal::widen_flat_triangles(m_triangulated->mesh))
+      if (!m_triangulated)
         return;
-      m_paths = std::make_unique<Paths>(m_triangulated->mesh);
-      for (Indexed_surface::Index f = 0; f < part.number_of_faces(); ++f)
+      const Mesh& mesh = m_triangulated->mesh;
+      m_paths = std::make_unique<Paths>(mesh, get(boost::vertex_index, mesh), get(boost::halfedge_index, mesh),
+                                        get(boost::face_index, mesh), Asking_point_map{&mesh, &execution});
+      for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
         m_centroids.push_back(locate_centroid(f));
     }
 
@@ -68,9 +72,10 @@ public:
       m_shortest_distances(source, distances);
       if (!m_paths || !has_triangle(source))
         return;
+      m_execution.check();
       m_paths->remove_all_source_points();
       m_paths->add_source_point(m_centroids[source].triangle, m_centroids[source].coordinates);
-      for (Indexed_surface::Index f = 0; f < m_part.number_of_faces(); ++f)
+      for (Indexed_surface::Index f = 0; f < m_surface.number_of_faces(); ++f)
         if (has_triangle(f))
         {
           const double distance =
@@ -82,7 +87,7 @@ public:
       distances[source] = 0;
     }
     /// \return the face of eq. (1), found exactly: the distance is a metric
-    Indexed_surface::Index face_of_largest_sum() { return internal::largest_distance_sum(m_part, *this); }
+    Indexed_surface::Index face_of_largest_sum() { return internal::largest_distance_sum(m_surface, *this, m_execution); }
     /// \return from how many faces distances were computed so far
     std::size_t number_of_runs() const { return m_number_of_runs; }
 
@@ -92,7 +97,32 @@ public:
     using Triangulated = internal::Triangulated_surface<Point>;
     using Mesh = Surface_mesh<Point>;
     using Traits = Surface_mesh_shortest_path_traits<Kernel, Mesh>;
-    using Paths = Surface_mesh_shortest_path<Traits>;
+
+    // The points of the vertices. CGAL's algorithm has no visitor, and computes for seconds; so whether to go on
+    // is asked each time that it has looked up some more points.
+    struct Asking_point_map
+    {
+      using key_type = Mesh::Vertex_index;
+      using value_type = Point;
+      using reference = const Point&;
+      using category = boost::readable_property_map_tag;
+
+      const Mesh* mesh;
+      Execution* execution;
+      mutable std::size_t number_of_points = 0;
+
+      friend reference get(const Asking_point_map& map, key_type vertex)
+      {
+        constexpr std::size_t points_between_questions = 1 << 14;
+        if (++map.number_of_points % points_between_questions == 0)
+          map.execution->check();
+        return map.mesh->point(vertex);
+      }
+    };
+    using Paths = Surface_mesh_shortest_path<Traits, boost::property_map<Mesh, boost::vertex_index_t>::const_type,
+                                             boost::property_map<Mesh, boost::halfedge_index_t>::const_type,
+                                             boost::property_map<Mesh, boost::face_index_t>::const_type,
+                                             Asking_point_map>;
 
     struct Location
     {
@@ -117,7 +147,7 @@ public:
         std::array<double, 3> weights =
           m_triangulated->first_triangle[f] + 1 == m_triangulated->first_triangle[f + 1]
             ? std::array<double, 3>{1, 1, 1}
-            : weights_in_triangle(triangle, m_part.centroid(f));
+            : weights_in_triangle(triangle, m_surface.centroid(f));
         const double margin = *std::min_element(weights.begin(), weights.end());
         if (margin <= best_margin)
           continue;
@@ -148,18 +178,23 @@ public:
       return weights;
     }
 
-    const Indexed_surface& m_part;
-    std::unique_ptr<Triangulated> m_triangulated; // where it is when an `On_surface` is moved
+    const Indexed_surface& m_surface;
+    Execution& m_execution;
+    std::unique_ptr<Triangulated> m_triangulated; // stays where it is when an `On_surface` is moved
     std::unique_ptr<Paths> m_paths;               // refers to the mesh; none where it cannot work
     std::vector<Location> m_centroids;
     internal::Shortest_distances m_shortest_distances;
     std::size_t m_number_of_runs = 0;
   };
 
-  /// prepares the distances on a connected part.
-  /// \param part the part, which must outlive the result
+  /// prepares the distances on a connected surface.
+  /// \param surface the surface, which must outlive the result
+  /// \param execution asked whether to go on, which must outlive the result
   /// \return the distances on it
-  On_surface on(const Indexed_surface& part, unsigned int /* random_seed */) const { return On_surface(part); }
+  On_surface on(const Indexed_surface& surface, Execution& execution) const
+  {
+    return On_surface(surface, execution);
+  }
 };
 
 } // namespace Protrusion_segmentation

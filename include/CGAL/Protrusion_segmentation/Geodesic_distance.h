@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_GEODESIC_DISTANCE_H
 #define CGAL_PROTRUSION_SEGMENTATION_GEODESIC_DISTANCE_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
@@ -31,18 +32,22 @@ round bodies of some ten thousand faces, 1000 for a sphere of eighty thousand.
 class Geodesic_distance
 {
 public:
-  /// the distances on one part
+  /// the distances on one surface
   /// \cgalModels{ProtrusionDistancesOnSurface}
   class On_surface
   {
   public:
-    /// prepares the distances on a part.
-    /// \param part the part, which must outlive the object
+    /// prepares the distances on a surface.
+    /// \param surface the surface, which must outlive the object
     /// \param maximum_number_of_visits see `Geodesic_distance::maximum_number_of_visits()`
-    On_surface(const Indexed_surface& part, std::size_t maximum_number_of_visits)
-      : m_part(part),
+    /// \param execution asked whether to go on, which must outlive the object
+    On_surface(const Indexed_surface& surface,
+               std::size_t maximum_number_of_visits,
+               Execution& execution)
+      : m_surface(surface),
         m_maximum_number_of_visits(maximum_number_of_visits),
-        m_shortest_distances(part)
+        m_execution(execution),
+        m_shortest_distances(surface)
     {}
 
     /// computes the distances from a face.
@@ -64,14 +69,15 @@ public:
     Indexed_surface::Index face_of_largest_sum()
     {
       using Search = internal::Largest_distance_sum<internal::Shortest_distances>;
-      return Search(m_part, m_shortest_distances)(m_maximum_number_of_visits);
+      return Search(m_surface, m_shortest_distances, m_execution)(m_maximum_number_of_visits);
     }
     /// \return how many shortest path computations there were so far
     std::size_t number_of_runs() const { return m_shortest_distances.number_of_runs(); }
 
   private:
-    const Indexed_surface& m_part;
+    const Indexed_surface& m_surface;
     std::size_t m_maximum_number_of_visits;
+    Execution& m_execution;
     internal::Shortest_distances m_shortest_distances;
   };
 
@@ -93,12 +99,13 @@ public:
     return *this;
   }
 
-  /// prepares the distances on a connected part, in linear time.
-  /// \param part the part, which must outlive the result
+  /// prepares the distances on a connected surface, in linear time.
+  /// \param surface the surface, which must outlive the result
+  /// \param execution asked whether to go on, which must outlive the result
   /// \return the distances on it
-  On_surface on(const Indexed_surface& part, unsigned int /* random_seed */) const
+  On_surface on(const Indexed_surface& surface, Execution& execution) const
   {
-    return On_surface(part, m_maximum_number_of_visits);
+    return On_surface(surface, m_maximum_number_of_visits, execution);
   }
 
 private:

@@ -9,9 +9,10 @@
 #error "Heat_distance.h needs the header library Eigen (Debian: libeigen3-dev)"
 #endif
 #if !defined(CGAL_EIGEN3_ENABLED)
-#define CGAL_EIGEN3_ENABLED 1 // or else the solvers of CGAL hide those of Eigen
+#error "Heat_distance.h needs CGAL with Eigen: link with CGAL::Eigen3_support, or request the component Eigen of Protrusion_segmentation"
 #endif
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
@@ -41,7 +42,7 @@ cut where it touches itself in a vertex.
 It is no metric, only near to one. The search for the face of eq. (1) relies on the triangle inequality and
 so may find a face with a sum that is smaller than the largest one, by the error of the distances.
 
-Preparing the distances on a part costs two sparse factorizations, about linear time in practice; the
+Preparing the distances on a surface costs two sparse factorizations, about linear time in practice; the
 distances from a face cost two solutions with them. Where the method gives no number, since the surface has no
 area or the heat does not reach its far end, `Geodesic_distance` takes its place for this source.
 
@@ -52,17 +53,19 @@ The header needs the library Eigen.
 class Heat_distance
 {
 public:
-  /// the distances on one part
+  /// the distances on one surface
   /// \cgalModels{ProtrusionDistancesOnSurface}
   class On_surface
   {
   public:
-    explicit On_surface(const Indexed_surface& part)
-      : m_part(part),
-        m_triangulated(std::make_unique<Triangulated>(internal::Surface_triangulator<Point>(part)())),
-        m_shortest_distances(part)
+    On_surface(const Indexed_surface& surface, Execution& execution)
+      : m_surface(surface),
+        m_execution(execution),
+        m_triangulated(internal::triangulate_for_paths<Point>(surface)),
+        m_shortest_distances(surface)
     {
-      if (part.area() > 0 && internal::widen_flat_triangles(m_triangulated->mesh))
+      execution.check();
+      if (m_triangulated)
         m_heat_method = std::make_unique<Heat_method>(m_triangulated->mesh);
     }
 
@@ -76,7 +79,7 @@ public:
         m_shortest_distances(source, distances);
     }
     /// \return the face of eq. (1), up to the error of the distances
-    Indexed_surface::Index face_of_largest_sum() { return internal::largest_distance_sum(m_part, *this); }
+    Indexed_surface::Index face_of_largest_sum() { return internal::largest_distance_sum(m_surface, *this, m_execution); }
     /// \return from how many faces distances were computed so far
     std::size_t number_of_runs() const { return m_number_of_runs; }
 
@@ -108,8 +111,8 @@ public:
       m_of_vertex.resize(m_triangulated->mesh.number_of_vertices());
       m_heat_method->estimate_geodesic_distances(
         boost::make_iterator_property_map(m_of_vertex.begin(), get(vertex_index, m_triangulated->mesh)));
-      distances.assign(m_part.number_of_faces(), 0);
-      for (Indexed_surface::Index f = 0; f < m_part.number_of_faces(); ++f)
+      distances.assign(m_surface.number_of_faces(), 0);
+      for (Indexed_surface::Index f = 0; f < m_surface.number_of_faces(); ++f)
       {
         std::size_t count = 0;
         visit_vertices(f, [&](Mesh::Vertex_index v)
@@ -121,19 +124,24 @@ public:
       return true;
     }
 
-    const Indexed_surface& m_part;
-    std::unique_ptr<Triangulated> m_triangulated; // where it is when an `On_surface` is moved
+    const Indexed_surface& m_surface;
+    Execution& m_execution;
+    std::unique_ptr<Triangulated> m_triangulated; // stays where it is when an `On_surface` is moved
     std::unique_ptr<Heat_method> m_heat_method;   // refers to the mesh; none where it cannot work
     internal::Shortest_distances m_shortest_distances;
     std::vector<double> m_of_vertex;
     std::size_t m_number_of_runs = 0;
   };
 
-  /// prepares the distances on a connected part.
-  /// \param part the part, which must outlive the result
+  /// prepares the distances on a connected surface.
+  /// \param surface the surface, which must outlive the result
+  /// \param execution asked whether to go on, which must outlive the result
   /// \return the distances on it
   /// \throw CGAL::Failure_exception if a matrix cannot be factorized
-  On_surface on(const Indexed_surface& part, unsigned int /* random_seed */) const { return On_surface(part); }
+  On_surface on(const Indexed_surface& surface, Execution& execution) const
+  {
+    return On_surface(surface, execution);
+  }
 };
 
 } // namespace Protrusion_segmentation

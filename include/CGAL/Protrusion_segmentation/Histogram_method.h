@@ -5,23 +5,27 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_HISTOGRAM_METHOD_H
 #define CGAL_PROTRUSION_SEGMENTATION_HISTOGRAM_METHOD_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/Histogram_segmentation.h>
-#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 
 #include <cmath>
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 
 /*!
-\ingroup PkgProtrusionSegmentationBorders
+\ingroup PkgProtrusionSegmentationMethods
 
-The border method of the paper, Section III.D, in its overall flow, Section III.A.
+The method of the paper: borders by two histograms, Section III.D, in its overall flow, Section III.A.
 
 From a protrusion tip to the farthest face, the distances are divided into 100 slots. The number of faces
 in each slot is the distance histogram, the diameter of the surface's section in each slot the
@@ -29,11 +33,28 @@ sectional-diameter histogram. The border lies where the diameter grows most, if 
 changes there too. Tips without such a border are dropped. As long as there are too few segments, tips are
 selected anew in the segment of largest area.
 
-\cgalModels{ProtrusionBorder}
+The side of the tip is the protrusion. From given tips, a border lies no farther than the nearest other tip;
+where fewer than six tips are given on a connected component, further ones of eq. (2) count for that, but make no
+segments.
+
+Complexity: for every segment that is looked into, the tips' distance computations, and for every tip 100 plane
+sections, each linear in the number of faces that it cuts.
 */
 class Histogram_method
 {
 public:
+  /// the method with `Geodesic_distance`
+  Histogram_method() : Histogram_method(Geodesic_distance()) {}
+
+  /// the method with a distance of choice.
+  /// \tparam Distance a model of `ProtrusionDistance`
+  /// \param distance is copied into the method
+  template <typename Distance,
+            typename = std::enable_if_t<!std::is_base_of<Histogram_method, std::decay_t<Distance>>::value>>
+  explicit Histogram_method(Distance&& distance)
+    : m_distance(std::decay_t<Distance>(std::forward<Distance>(distance)))
+  {}
+
   /// \name Options
   /// Each option has a getter, and a setter that can be chained.
   /// @{
@@ -63,41 +84,24 @@ public:
     m_uses_candidate_intervals = value;
     return *this;
   }
-
-  /// sets whether the sections of a protrusion are computed by several threads, with the same result.
-  /// \tparam ConcurrencyTag `Sequential_tag`, the default, or `Parallel_tag`, which needs TBB
-  /// \return `*this`
-  template <typename ConcurrencyTag>
-  Histogram_method& concurrency_tag(ConcurrencyTag)
-  {
-    m_is_parallel = internal::is_parallel<ConcurrencyTag>();
-    return *this;
-  }
   /// @}
 
 #ifndef DOXYGEN_RUNNING
   // Segments `surface`, into `number_of_segments` or while there are evident protrusions, or cuts off the
   // protrusions of given tips.
-  template <typename Distance, typename Visitor>
   internal::Nested_segments segment(const Indexed_surface& surface,
-                                   const Distance& distance,
-                                   std::optional<std::size_t> number_of_segments,
-                                   internal::Monitor<Visitor>& monitor) const
+                                    std::optional<std::size_t> number_of_segments,
+                                    Execution& execution) const
   {
-    internal::Histogram_segmentation<Distance, Visitor> segmentation(surface, distance, conditions(),
-                                                                     m_is_parallel, monitor);
+    internal::Histogram_segmentation segmentation(surface, m_distance, conditions(), execution);
     return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
                               : segmentation.with_evident_protrusions();
   }
-  template <typename Distance, typename Visitor>
   internal::Nested_segments segment_from_tips(const Indexed_surface& surface,
-                                             const Distance& distance,
-                                             const std::vector<Indexed_surface::Index>& tips,
-                                             internal::Monitor<Visitor>& monitor) const
+                                              const std::vector<Indexed_surface::Index>& tips,
+                                              Execution& execution) const
   {
-    return internal::Histogram_segmentation<Distance, Visitor>(surface, distance, conditions(),
-                                                              m_is_parallel, monitor)
-      .from_tips(tips);
+    return internal::Histogram_segmentation(surface, m_distance, conditions(), execution).from_tips(tips);
   }
 #endif
 
@@ -107,11 +111,11 @@ private:
     return {m_minimum_prominence, m_uses_candidate_intervals, false};
   }
 
+  internal::Any_distance m_distance;
   // On half of the development models of the Princeton benchmark the Rand index error with a given number of
   // segments is .178 for 0.3 and 0.4, and .187 for 0.5; without a number .29, .25, .27.
   double m_minimum_prominence = 0.4;
   bool m_uses_candidate_intervals = true;
-  bool m_is_parallel = false;
 };
 
 } // namespace Protrusion_segmentation

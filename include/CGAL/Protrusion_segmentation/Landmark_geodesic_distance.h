@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_LANDMARK_GEODESIC_DISTANCE_H
 #define CGAL_PROTRUSION_SEGMENTATION_LANDMARK_GEODESIC_DISTANCE_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Nearest_landmarks.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
@@ -40,20 +41,21 @@ the largest gap between the landmarks.
 class Landmark_geodesic_distance
 {
 public:
-  /// the distances on one part
+  /// the distances on one surface
   /// \cgalModels{ProtrusionDistancesOnSurface}
   class On_surface
   {
   public:
-    On_surface(const Indexed_surface& part,
-            std::size_t number_of_landmarks,
-            unsigned int random_seed,
-            bool is_parallel)
-      : m_shortest_distances(part), m_nearest(part)
+    /// prepares the distances on a surface, one shortest path computation per landmark.
+    /// \param surface the surface, which must outlive the object
+    /// \param number_of_landmarks the number of landmarks, above 0
+    /// \param execution with the seed of their choice, and asked whether to go on
+    On_surface(const Indexed_surface& surface, std::size_t number_of_landmarks, Execution& execution)
+      : m_shortest_distances(surface), m_nearest(surface)
     {
-      visit_landmarks(internal::select_landmarks(part.number_of_faces(), number_of_landmarks,
-                                                 random_seed),
-                      is_parallel);
+      visit_landmarks(internal::select_landmarks(surface.number_of_faces(), number_of_landmarks,
+                                                 execution.random_seed()),
+                      execution);
     }
 
     /// computes the distances from a face.
@@ -77,7 +79,7 @@ public:
 
   private:
     // Steps 2 to 4: the distances from each landmark, the nearest landmark of every face, the sums.
-    void visit_landmarks(std::vector<Indexed_surface::Index> landmarks, bool is_parallel)
+    void visit_landmarks(std::vector<Indexed_surface::Index> landmarks, Execution& execution)
     {
       m_landmarks = std::move(landmarks);
       std::vector<double> sums(m_landmarks.size());
@@ -89,9 +91,10 @@ public:
       };
       Workspace workspace = {m_shortest_distances, m_nearest, {}};
       internal::for_each_index(
-        m_landmarks.size(), is_parallel, workspace,
+        m_landmarks.size(), execution.is_parallel(), workspace,
         [&](Workspace& w, std::size_t i)
         {
+          execution.progress(static_cast<double>(i) / static_cast<double>(m_landmarks.size()));
           w.shortest_distances(m_landmarks[i], w.from_landmark);
           sums[i] = internal::distance_sum(w.from_landmark);
           w.nearest.add(static_cast<Indexed_surface::Index>(i), w.from_landmark);
@@ -126,7 +129,7 @@ public:
   /// \return the share of the faces that the paper settles on, LGD(5)
   static constexpr double default_fraction() { return 0.05; }
 
-  /// makes a share of the faces of each part landmarks.
+  /// makes a share of the faces of each surface landmarks.
   /// \param fraction the share, in (0, 1]; there is at least one landmark
   /// \throw std::invalid_argument unless 0 < `fraction` <= 1
   explicit Landmark_geodesic_distance(double fraction = default_fraction()) : m_fraction(fraction)
@@ -135,8 +138,8 @@ public:
       throw std::invalid_argument("Landmark_geodesic_distance: fraction is not in (0, 1]");
   }
 
-  /// makes a fixed number of faces of each part landmarks.
-  /// \param number the number, above 0; in a part that has fewer faces all are landmarks
+  /// makes a fixed number of faces of each surface landmarks.
+  /// \param number the number, above 0; on a surface that has fewer faces all are landmarks
   /// \return the distance
   /// \throw std::invalid_argument if `number` is 0
   static Landmark_geodesic_distance with_number_of_landmarks(std::size_t number)
@@ -148,31 +151,20 @@ public:
     return distance;
   }
 
-  /// sets whether the distances from the landmarks are computed by several threads, with the same result.
-  /// \tparam ConcurrencyTag `Sequential_tag`, the default, or `Parallel_tag`, which needs TBB
-  /// \return `*this`
-  template <typename ConcurrencyTag>
-  Landmark_geodesic_distance& concurrency_tag(ConcurrencyTag)
-  {
-    m_is_parallel = internal::is_parallel<ConcurrencyTag>();
-    return *this;
-  }
-
-  /// prepares the distances on a connected part, one shortest path computation per landmark.
-  /// \param part the part, which must outlive the result
-  /// \param random_seed of the choice of landmarks
+  /// prepares the distances on a connected surface, one shortest path computation per landmark, by several
+  /// threads if `execution` wants so, with the same result.
+  /// \param surface the surface, which must outlive the result
+  /// \param execution with the seed of the choice of landmarks, and asked whether to go on
   /// \return the distances on it
-  On_surface on(const Indexed_surface& part, unsigned int random_seed) const
+  On_surface on(const Indexed_surface& surface, Execution& execution) const
   {
-    const double share = std::ceil(m_fraction * part.number_of_faces());
-    return On_surface(part, m_number > 0 ? m_number : static_cast<std::size_t>(share), random_seed,
-                   m_is_parallel);
+    const double share = std::ceil(m_fraction * surface.number_of_faces());
+    return On_surface(surface, m_number > 0 ? m_number : static_cast<std::size_t>(share), execution);
   }
 
 private:
   double m_fraction;
   std::size_t m_number = 0; // 0: by fraction
-  bool m_is_parallel = false;
 };
 
 } // namespace Protrusion_segmentation

@@ -5,57 +5,79 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_MINIMUM_CUT_METHOD_H
 #define CGAL_PROTRUSION_SEGMENTATION_MINIMUM_CUT_METHOD_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_segmentation.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 
 #include <cstddef>
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 
 /*!
-\ingroup PkgProtrusionSegmentationBorders
+\ingroup PkgProtrusionSegmentationMethods
 
-Borders along concave seams: the default border method.
+The default method: borders along concave seams.
 
 A cut costs its length, little where it runs along a concave seam. Candidates are those level sets of the
 distances from protrusion tips that cost least for the area that they cut off. Where the minimum cut in a band
-around a candidate is better, it takes its place. The value of a cut is estimated from how much of it lies in a concave seam, its length, how suddenly the
-surface widens behind it and the areas on both sides. The best cut of all segments splits its segment; so the
-segmentations for different numbers of segments are nested. Without a number of segments, the method stops
-when no cut has an evident value.
+around a candidate is better, it takes its place. The value of a cut is estimated from how much of it lies in a
+concave seam, its length, how suddenly the surface widens behind it and the areas on both sides. The best cut of
+all segments splits its segment; so the segmentations for different numbers of segments are nested. Without a
+number of segments, the method stops when no cut has an evident value.
+
+The smaller side of a cut is the protrusion. From given tips, each cuts off the protrusion with the most probable
+border that has this tip and no other one.
 
 Cuts are searched on a coarse graph of some two thousand nodes, so that the time for a cut hardly depends on
-the number of faces. Parts of less than 0.25 % of the area of the surface are not cut off: with a large number
-of segments there may be fewer than asked for.
+the number of faces. By default tips and level sets are those of a distance that the method measures on that graph,
+where ways across concave seams are longer than they are on the surface. With a distance of choice, they are those
+of the distance on the faces. Segments of less than 0.25 % of the area of the surface are not cut off: with a large
+number of segments there may be fewer than asked for.
 
-\cgalModels{ProtrusionBorder}
+Complexity: normals are averaged by some dozen passes over the faces, the more the finer the mesh; then coarsening
+and every border take linear time.
 */
 class Minimum_cut_method
 {
 public:
+  /// the method with its own distance
+  Minimum_cut_method() = default;
+
+  /// the method with a distance of choice.
+  /// \tparam Distance a model of `ProtrusionDistance`
+  /// \param distance is copied into the method
+  template <typename Distance,
+            typename = std::enable_if_t<!std::is_base_of<Minimum_cut_method, std::decay_t<Distance>>::value>>
+  explicit Minimum_cut_method(Distance&& distance)
+    : m_distance(std::decay_t<Distance>(std::forward<Distance>(distance)))
+  {}
+
 #ifndef DOXYGEN_RUNNING
-  template <typename Distance, typename Visitor>
+  // as for `Histogram_method`
   internal::Nested_segments segment(const Indexed_surface& surface,
-                                   const Distance& distance,
-                                   std::optional<std::size_t> number_of_segments,
-                                   internal::Monitor<Visitor>& monitor) const
+                                    std::optional<std::size_t> number_of_segments,
+                                    Execution& execution) const
   {
-    internal::Cut_segmentation<Distance, Visitor> segmentation(surface, distance, monitor);
+    internal::Cut_segmentation segmentation(surface, m_distance, execution);
     return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
                               : segmentation.with_evident_protrusions();
   }
-  template <typename Distance, typename Visitor>
   internal::Nested_segments segment_from_tips(const Indexed_surface& surface,
-                                             const Distance& distance,
-                                             const std::vector<Indexed_surface::Index>& tips,
-                                             internal::Monitor<Visitor>& monitor) const
+                                              const std::vector<Indexed_surface::Index>& tips,
+                                              Execution& execution) const
   {
-    return internal::Cut_segmentation<Distance, Visitor>(surface, distance, monitor).from_tips(tips);
+    return internal::Cut_segmentation(surface, m_distance, execution).from_tips(tips);
   }
 #endif
+
+private:
+  std::optional<internal::Any_distance> m_distance;
 };
 
 } // namespace Protrusion_segmentation

@@ -7,6 +7,8 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 
+#include <boost/graph/graph_traits.hpp>
+
 #include <cstddef>
 #include <numeric>
 #include <stdexcept>
@@ -31,16 +33,16 @@ class Segment_hierarchy
 {
 public:
   /// \return the number of connected components of the mesh, the least number of segments
-  std::size_t minimum_number_of_segments() const { return m_forest.number_of_components; }
+  std::size_t minimum_number_of_segments() const { return m_number_of_components; }
 
   /// \return the largest number of segments
-  std::size_t maximum_number_of_segments() const { return m_forest.number_of_segments(); }
+  std::size_t maximum_number_of_segments() const { return m_parents.size(); }
 
   /// \return the segment from which `segment` was cut off; `segment` itself if it is the body of a
   ///         component
   /// \param segment below `maximum_number_of_segments()`
   /// \throw std::out_of_range if there is no such segment
-  std::size_t parent(std::size_t segment) const { return m_forest.parents.at(segment); }
+  std::size_t parent(std::size_t segment) const { return m_parents.at(segment); }
 
   /*!
   writes the segmentation with `number_of_segments` segments, in linear time.
@@ -59,20 +61,26 @@ public:
   {
     const std::vector<Index> ancestors = ancestors_below(number_of_segments);
     if (static_cast<std::size_t>(std::distance(faces(tmesh).begin(), faces(tmesh).end())) !=
-        m_forest.labels.size())
+        m_labels.size())
       throw std::invalid_argument("tmesh is not the mesh of the hierarchy: it has another number of faces");
     std::size_t i = 0;
     for (const auto f : faces(tmesh))
-      put(segment_ids, f, static_cast<std::size_t>(ancestors[m_forest.labels[i++]]));
+      put(segment_ids, f, static_cast<std::size_t>(ancestors[m_labels[i++]]));
   }
 
 #ifndef DOXYGEN_RUNNING
-  Segment_hierarchy() : m_forest(Indexed_surface()) {}
-  explicit Segment_hierarchy(internal::Nested_segments forest) : m_forest(std::move(forest)) {}
+  Segment_hierarchy() = default;
+  // `labels` are in the order of the mesh
+  Segment_hierarchy(const internal::Nested_segments& segments, std::vector<Indexed_surface::Index> labels)
+    : m_labels(std::move(labels)), m_number_of_components(segments.number_of_components())
+  {
+    for (std::size_t s = 0; s < segments.number_of_segments(); ++s)
+      m_parents.push_back(segments.parent(s));
+  }
 #endif
 
 private:
-  using Index = internal::Nested_segments::Index;
+  using Index = Indexed_surface::Index;
 
   // for every segment the nearest ancestor, or itself, with a number below `number_of_segments`
   std::vector<Index> ancestors_below(std::size_t number_of_segments) const
@@ -83,14 +91,16 @@ private:
                                   ", but the hierarchy has " +
                                   std::to_string(minimum_number_of_segments()) + " to " +
                                   std::to_string(maximum_number_of_segments()) + " segments");
-    std::vector<Index> ancestors(m_forest.parents.size());
+    std::vector<Index> ancestors(m_parents.size());
     std::iota(ancestors.begin(), ancestors.end(), Index(0));
     for (std::size_t s = number_of_segments; s < ancestors.size(); ++s)
-      ancestors[s] = ancestors[m_forest.parents[s]];
+      ancestors[s] = ancestors[m_parents[s]];
     return ancestors;
   }
 
-  internal::Nested_segments m_forest;
+  std::vector<Index> m_labels;  // the segment of every face, in the order of the mesh
+  std::vector<Index> m_parents; // of every segment
+  std::size_t m_number_of_components = 0;
 };
 
 } // namespace Protrusion_segmentation

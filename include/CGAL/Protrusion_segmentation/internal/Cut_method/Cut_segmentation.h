@@ -5,24 +5,27 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_SEGMENTATION_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_SEGMENTATION_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Face_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
-#include <CGAL/Protrusion_segmentation/internal/Execution/Monitor.h>
-#include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
-#include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Tip_orders.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/distance_orders.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/minimum_cut.h>
-#include <CGAL/Protrusion_segmentation/internal/Tips/select_protrusion_tips.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/Next_segment.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
+#include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,308 +33,276 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// Splits the part with the best cut of all, again and again. Cuts are searched on a coarse graph; the one
-// that is taken is transferred to the faces, where a minimum cut in a narrow band makes its border.
-template <typename Distance, typename Visitor>
+// The surface as the cut method sees it: the faces, and a coarse graph that cuts are searched on.
+struct Cut_graphs
+{
+  Weighted_dual_graph fine;
+  Coarse_graph coarse;
+
+  Cut_graphs(const Indexed_surface& surface, const Cut_policy& policy, Execution& execution)
+  {
+    const Stage_scope stage(execution.observer(), Stage::PREPARATION);
+    fine = make_weighted_dual_graph(surface, policy, execution);
+    coarse = coarsen(fine, number_of_nodes, execution);
+    // only the coarse graph is made of these: a third of the memory of the surface
+    decltype(fine.centre)().swap(fine.centre);
+    decltype(fine.concave_border_length)().swap(fine.concave_border_length);
+  }
+
+private:
+  // The structure of a shape of up to some dozen parts shows in that many nodes; cuts get worse with more,
+  // since details come to the fore.
+  static constexpr Indexed_surface::Index number_of_nodes = 2000;
+};
+
+// Splits the segment with the best cut of all, again and again. Cuts are searched on a coarse graph; the one
+// that is chosen is brought to the faces, where a minimum cut in a narrow band makes its border.
 class Cut_segmentation
 {
 public:
   using Index = Indexed_surface::Index;
   using Nodes = Graph_partition::Nodes;
 
+  // Without a distance, tips and level sets are those of the coarse graph itself. The arguments must outlive the
+  // object.
   Cut_segmentation(const Indexed_surface& surface,
-                   const Distance& distance,
-                   Monitor<Visitor>& monitor,
-                   const Cut_ingredients& ingredients = {})
+                   const std::optional<Any_distance>& distance,
+                   Execution& execution,
+                   const Cut_policy& policy = default_cut_policy())
     : m_surface(surface),
       m_distance(distance),
-      m_monitor(monitor),
-      m_ingredients(ingredients),
-      m_forest(surface),
-      m_fine_graph(make_weighted_dual_graph(surface, ingredients)),
-      m_coarse(make_coarse_graph(m_fine_graph)),
-      m_fine(m_fine_graph, m_forest.labels),
-      m_coarse_partition(m_coarse.graph, coarse_labels()),
-      m_search(m_coarse_partition, ingredients),
+      m_execution(execution),
+      m_observer(execution.observer()),
+      m_segments(surface),
+      m_graphs(surface, policy, execution),
+      m_fine(m_graphs.fine, m_segments.labels()),
+      m_coarse(m_graphs.coarse.graph, coarse_labels()),
+      m_search(m_coarse, policy),
+      m_tip_orders(m_coarse),
+      m_face_borders(m_fine, m_coarse, m_graphs.coarse.node, policy),
       m_extract(surface),
-      m_number(surface.number_of_faces(), Indexed_surface::no_face()),
-      m_parts(m_forest.number_of_segments())
+      m_states(m_segments.number_of_segments())
   {
-    for (Index i = 0; i < m_coarse.graph.number_of_nodes(); ++i)
-      m_parts[m_coarse_partition.label(i)].nodes.push_back(i);
-    for (Index f = 0; f < surface.number_of_faces(); ++f)
-      m_parts[m_forest.labels[f]].faces.push_back(f);
+    for (Index i = 0; i < m_graphs.coarse.graph.number_of_nodes(); ++i)
+      m_states[m_coarse.segment(i)].nodes.push_back(i);
   }
 
-  Nested_segments with_number_of_segments(std::size_t k) { return split(k, -(std::numeric_limits<double>::infinity)()); }
-  Nested_segments with_evident_protrusions()
+  Nested_segments with_number_of_segments(std::size_t k)
   {
-    return split(Monitor<Visitor>::unlimited(), least_evident_value);
+    return split(k, -(std::numeric_limits<double>::infinity)());
   }
+  Nested_segments with_evident_protrusions() { return split(std::nullopt, least_evident_value); }
 
-  // Cuts off, for one tip after the other, the protrusion with the best border that has the tip but none of
-  // the other tips.
-  Nested_segments from_tips(const std::vector<Index>& tips)
+  // Cuts off, for one tip after the other, the protrusion with the most probable border that has the tip but none
+  // of the other tips. Not the one of most value: that is the larger, the larger the protrusion is, and a foot
+  // would take half of the body with it.
+  Nested_segments from_tips(const std::vector<Index>& given_tips)
   {
-    for (Index tip : tips)
+    const std::vector<Index> tips = distinct_tips(m_surface, given_tips);
+    for (std::size_t t = 0; t < tips.size(); ++t)
     {
-      m_monitor.check();
-      const Index p = m_fine.label(tip);
-      if (m_coarse_partition.label(m_coarse.node[tip]) != p) // in the band of a border made before
+      const Next_segment progress(m_execution, t, tips.size());
+      const Index s = m_fine.segment(tips[t]);
+      const Index tip = m_graphs.coarse.node[tips[t]];
+      if (m_coarse.segment(tip) != s) // in the band of a border made before
         continue;
-      const auto has_this_tip_only = [&](const Nodes& nodes) { return is_only_tip(tip, tips, nodes); };
-      const std::vector<Cut> cuts =
-        m_search.cuts(p, m_parts[p].nodes, fields_of_tips(p, tips), has_this_tip_only);
-      const auto best = std::find_if(cuts.begin(), cuts.end(), [&](const Cut& cut)
-                                     { return has_this_tip_only(cut.inner); });
+      const std::vector<bool> is_other_tip = nodes_of_other_tips(tip, tips);
+      const auto has_this_tip_only = [&](const Nodes& nodes)
+      {
+        return std::find(nodes.begin(), nodes.end(), tip) != nodes.end() &&
+               std::none_of(nodes.begin(), nodes.end(), [&](Index i) { return is_other_tip[i]; });
+      };
+      std::vector<Cut> cuts = m_search.cuts(s, m_states[s].nodes, orders_with_tip(s, tip), has_this_tip_only);
+      cuts.erase(std::remove_if(cuts.begin(), cuts.end(), [&](const Cut& cut) { return !has_this_tip_only(cut.inner); }),
+                 cuts.end());
+      const auto best = std::max_element(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b)
+                                         { return a.probability < b.probability; });
       if (best != cuts.end())
-        take(p, *best);
+        cut_off(s, *best);
     }
     return finish();
   }
 
 private:
-  // The structure of a shape of up to some dozen parts shows in that many nodes; cuts get worse with more,
-  // since details come to the fore.
-  static constexpr Index number_of_nodes = 2000;
   // Cuts of less value are not evident. Above 0 people would rather cut than not; between .02 and .04 the Rand
   // index error hardly changes (.112 to .114 on half of the development models of the Princeton benchmark), while
   // the mean number of segments falls from 6.7 to 5.8, people having 8. At .03 the body of a star with three arms
   // falls apart.
   static constexpr double least_evident_value = 0.04;
 
-  struct Part
+  // of a segment
+  struct State
   {
-    Nodes nodes; // of the coarse graph
-    Nodes faces;
+    Nodes nodes;           // of the coarse graph
     std::vector<Cut> cuts; // best first
     bool is_searched = false;
   };
 
-  // Takes from the fine graph what only the coarse one is made of: a third of the memory of the surface.
-  static Coarse_graph make_coarse_graph(Weighted_dual_graph& fine)
-  {
-    Coarse_graph result = coarsen(fine, number_of_nodes);
-    decltype(fine.centre)().swap(fine.centre);
-    decltype(fine.concave_border_length)().swap(fine.concave_border_length);
-    return result;
-  }
-
   std::vector<Index> coarse_labels() const
   {
-    std::vector<Index> labels(m_coarse.graph.number_of_nodes());
+    std::vector<Index> labels(m_graphs.coarse.graph.number_of_nodes());
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-      labels[m_coarse.node[f]] = m_forest.labels[f];
+      labels[m_graphs.coarse.node[f]] = m_segments.labels()[f];
     return labels;
   }
 
-  // The fields of the tips in a part, a search of its own for tips included.
-  std::vector<Nodes> fields_of_tips(Index p, const std::vector<Index>& tips)
+  // Two tips in one node are one.
+  std::vector<bool> nodes_of_other_tips(Index tip, const std::vector<Index>& tips) const
   {
-    std::vector<Nodes> result = fields(p);
-    for (Index tip : tips)
-      if (m_coarse_partition.label(m_coarse.node[tip]) == p)
-        result.push_back(m_search.field_of_tip(p, m_coarse.node[tip]));
+    std::vector<bool> result(m_graphs.coarse.graph.number_of_nodes(), false);
+    for (Index other : tips)
+      result[m_graphs.coarse.node[other]] = m_graphs.coarse.node[other] != tip;
     return result;
   }
 
-  bool is_only_tip(Index tip, const std::vector<Index>& tips, const Nodes& nodes) const
+  std::vector<Nodes> orders(Index s)
   {
-    const auto is_inside = [&](Index other)
-    { return std::find(nodes.begin(), nodes.end(), m_coarse.node[other]) != nodes.end(); };
-    return is_inside(tip) && std::none_of(tips.begin(), tips.end(),
-                                          [&](Index other) { return other != tip && is_inside(other); });
+    const Stage_scope stage(m_observer, Stage::TIPS);
+    if (!m_distance)
+      return m_tip_orders.from_all_tips(s, m_states[s].nodes);
+    return distance_orders(m_coarse, m_states[s].nodes, m_graphs.coarse.node,
+                           m_extract(m_segments.faces(s)), *m_distance, m_execution);
+  }
+  std::vector<Nodes> orders_with_tip(Index s, Index tip)
+  {
+    std::vector<Nodes> result = orders(s);
+    result.push_back(m_tip_orders.from_tip(s, tip).nodes);
+    return result;
   }
 
-  Nested_segments split(std::size_t k, double least_value)
+  Nested_segments split(std::optional<std::size_t> k, double least_value)
   {
-    while (m_forest.number_of_segments() < k)
+    while (!k || m_segments.number_of_segments() < *k)
     {
-      m_monitor.progress(m_forest.number_of_segments(), k);
-      search_new_parts();
-      const std::optional<Index> best = part_with_best_cut(least_value);
+      const Next_segment progress(m_execution, m_segments.number_of_segments(), k);
+      search_new_segments();
+      const std::optional<Index> best = segment_with_best_cut(least_value);
       if (!best)
         break;
-      const Cut cut = std::move(m_parts[*best].cuts.front());
-      m_parts[*best].cuts.erase(m_parts[*best].cuts.begin());
-      take(*best, cut);
+      const Cut cut = std::move(m_states[*best].cuts.front());
+      m_states[*best].cuts.erase(m_states[*best].cuts.begin());
+      cut_off(*best, cut);
     }
     return finish();
   }
 
   Nested_segments finish()
   {
-    m_monitor.visitor().distances_computed(m_search.number_of_runs());
-    m_forest.labels = m_fine.labels();
-    return std::move(m_forest);
+    m_observer.distances_computed(m_tip_orders.number_of_runs());
+    return std::move(m_segments);
   }
 
-  void search_new_parts()
+  void search_new_segments()
   {
-    const Stage_scope<Visitor> stage(m_monitor.visitor(), Stage::TIPS);
-    for (Index p = 0; p < m_parts.size(); ++p)
+    for (Index s = 0; s < m_states.size(); ++s)
     {
-      if (m_parts[p].is_searched)
+      if (m_states[s].is_searched)
         continue;
-      m_monitor.check();
-      m_parts[p].cuts = m_search.cuts(p, m_parts[p].nodes, fields(p));
-      m_parts[p].is_searched = true;
+      m_execution.check();
+      const std::vector<Nodes> of_tips = orders(s);
+      const Stage_scope stage(m_observer, Stage::BORDERS);
+      m_execution.check();
+      m_states[s].cuts = m_search.cuts(s, m_states[s].nodes, of_tips);
+      m_states[s].is_searched = true;
     }
   }
 
-  std::optional<Index> part_with_best_cut(double least_value) const
+  std::optional<Index> segment_with_best_cut(double least_value) const
   {
     std::optional<Index> best;
-    for (Index p = 0; p < m_parts.size(); ++p)
-      if (!m_parts[p].cuts.empty() && m_parts[p].cuts.front().value > least_value &&
-          (!best || m_parts[p].cuts.front().value > m_parts[*best].cuts.front().value))
-        best = p;
+    for (Index s = 0; s < m_states.size(); ++s)
+      if (!m_states[s].cuts.empty() && m_states[s].cuts.front().value > least_value &&
+          (!best || m_states[s].cuts.front().value > m_states[*best].cuts.front().value))
+        best = s;
     return best;
   }
 
-  // The geodesic distance is computed on the coarse graph, with arcs lengthened across concave seams; any
-  // other distance on the faces of the part, a node being as far as its faces are on average.
-  std::vector<Nodes> fields(Index p)
+  // Makes the smaller side of a cut a segment of its own, unless all faces lie on one side. Which one is smaller
+  // is decided on the faces: there, the border has moved.
+  void cut_off(Index s, const Cut& cut)
   {
-    if constexpr (std::is_same_v<Distance, Geodesic_distance>)
-      return m_search.tip_fields(p, m_parts[p].nodes);
-    else
-      return fields_of_distance(p);
-  }
-
-  std::vector<Nodes> fields_of_distance(Index p)
-  {
-    constexpr std::size_t number_of_tips = 6; // every one costs a distance computation on all faces
-    const Extracted_segment extracted = m_extract(m_parts[p].faces);
-    auto distances = m_distance.on(extracted.part, m_monitor.random_seed());
-    std::vector<Nodes> fields;
-    select_protrusion_tips(
-      extracted.part, distances, number_of_tips, [](Index) { return true; },
-      [&](Index, const std::vector<double>& from_tip)
-      {
-        std::vector<double> mean(m_coarse.graph.number_of_nodes(), 0);
-        std::vector<Index> count(m_coarse.graph.number_of_nodes(), 0);
-        for (Index f = 0; f < from_tip.size(); ++f)
-        {
-          const Index node = m_coarse.node[extracted.faces[f]];
-          mean[node] += (from_tip[f] - mean[node]) / ++count[node];
-        }
-        Nodes order = m_parts[p].nodes;
-        std::stable_sort(order.begin(), order.end(),
-                         [&](Index a, Index b) { return mean[a] < mean[b]; });
-        fields.push_back(std::move(order));
-      });
-    m_monitor.visitor().distances_computed(distances.number_of_runs());
-    return fields;
-  }
-
-  // Makes the two sides of a cut parts of their own, unless all faces lie on one side.
-  void take(Index p, const Cut& cut)
-  {
-    const Stage_scope<Visitor> stage(m_monitor.visitor(), Stage::BORDERS);
-    const Nodes inner_faces = transfer(p, cut.inner);
-    if (inner_faces.empty() || inner_faces.size() == m_parts[p].faces.size())
+    const Stage_scope stage(m_observer, Stage::LABELS);
+    Nodes inner = cut.inner;
+    Nodes inner_faces = m_face_borders.inner_faces(s, m_segments.faces(s), m_states[s].nodes, inner);
+    if (inner_faces.empty() || inner_faces.size() == m_segments.faces(s).size())
       return;
-    const Index id = m_forest.add_segment(p);
-    m_parts.emplace_back();
-    move_nodes(m_coarse_partition, m_parts[p].nodes, m_parts[id].nodes, cut.inner, id);
-    report(p, id, cut, inner_faces);
-    move_nodes(m_fine, m_parts[p].faces, m_parts[id].faces, inner_faces, id);
-    m_parts[p].is_searched = false;
-  }
-
-  // Gives the nodes of `inner` to part `id`.
-  static void move_nodes(
-    Graph_partition& partition, Nodes& from, Nodes& to, const Nodes& inner, Index id)
-  {
-    partition.mark(from, inner);
-    Nodes rest;
-    for (Index i : from)
-      (partition.is_inner(i) ? to : rest).push_back(i);
-    for (Index i : to)
-      partition.set_label(i, id);
-    from = std::move(rest);
-  }
-
-  // The faces on the inner side of a coarse cut, with the minimum cut near it as border. Borders made before
-  // follow the faces, not the nodes: faces of this part whose node belongs to another part go with their
-  // neighbours.
-  Nodes transfer(Index p, const Nodes& inner_nodes)
-  {
-    constexpr Band band = {0.05, 2, 0.7};
-    const Nodes& faces = m_parts[p].faces;
-    m_coarse_partition.mark(m_parts[p].nodes, inner_nodes);
-    Nodes known, inner;
-    std::vector<bool> is_known(faces.size(), false);
-    for (std::size_t i = 0; i < faces.size(); ++i)
+    if (2 * m_fine.area(inner_faces) > m_fine.area(m_segments.faces(s)))
     {
-      const Index node = m_coarse.node[faces[i]];
-      m_number[faces[i]] = static_cast<Index>(i);
-      is_known[i] = m_coarse_partition.label(node) == p;
-      m_fine.set_inner(faces[i], is_known[i] && m_coarse_partition.is_inner(node));
-      if (is_known[i])
-        known.push_back(faces[i]);
+      inner_faces = turn_over(m_fine, m_segments.faces(s));
+      inner = turn_over(m_coarse, m_states[s].nodes);
     }
-    for (std::size_t i = 0; i < known.size(); ++i)
-      for (Index arc : m_fine_graph.arcs(known[i]))
-      {
-        const Index g = m_fine_graph.target[arc];
-        if (m_fine.label(g) != p || is_known[m_number[g]])
-          continue;
-        is_known[m_number[g]] = true;
-        m_fine.set_inner(g, m_fine.is_inner(known[i]));
-        known.push_back(g);
-      }
-    for (Index f : faces)
-      m_number[f] = Indexed_surface::no_face();
-    inner = m_fine.inner_nodes(faces);
-    if (inner.empty() || inner.size() == faces.size())
-      return inner;
-    inner = m_fine.connect_sides(faces, p, inner);
-    if (!m_ingredients.minimum_cut_on_faces)
-      return inner;
-    inner = refine_cut(m_fine, p, faces, inner, band, m_number);
-    return m_fine.connect_sides(faces, p, inner);
+    report(s, cut, inner_faces);
+    const Index id = m_segments.cut_off(s, [&](Index f) { return m_fine.is_inner(f); });
+    for (Index f : m_segments.faces(id))
+      m_fine.set_segment(f, id);
+    m_states.emplace_back();
+    move_nodes(s, inner, id);
   }
 
-  // `inner_faces` are marked and still have the label of their parent.
-  void report(Index parent, Index id, const Cut& cut, const Nodes& inner_faces)
+  // Marks the other side of a cut; returns it.
+  static Nodes turn_over(Graph_partition& partition, const Nodes& nodes)
   {
-    const double unit = m_monitor.unit() * std::sqrt(m_surface.area()); // there is no cut without area
-    Protrusion protrusion;
-    protrusion.segment = id;
+    for (Index i : nodes)
+      partition.set_inner(i, !partition.is_inner(i));
+    return partition.marked(nodes);
+  }
+
+  void move_nodes(Index s, const Nodes& inner, Index id)
+  {
+    m_coarse.mark(m_states[s].nodes, inner);
+    Nodes rest;
+    for (Index i : m_states[s].nodes)
+      (m_coarse.is_inner(i) ? m_states[id].nodes : rest).push_back(i);
+    for (Index i : m_states[id].nodes)
+      m_coarse.set_segment(i, id);
+    m_states[s].nodes = std::move(rest);
+    m_states[s].is_searched = false;
+  }
+
+  // `inner_faces` are marked and still belong to their parent.
+  void report(Index parent, const Cut& cut, const Nodes& inner_faces)
+  {
+    const double unit = std::sqrt(m_surface.area()); // there is no cut without area
+    const auto [along_cut, outside] = m_fine.nodes_along_cut(parent, inner_faces);
+    const Nodes_by_distance from_cut =
+      m_fine.nodes_by_distance_on_side(along_cut, parent, true, m_graphs.fine.lengths());
+    Protrusion<Index> protrusion;
+    protrusion.segment = m_segments.number_of_segments();
     protrusion.parent = parent;
-    protrusion.score = cut.value;
+    protrusion.value = cut.value;
     protrusion.area = m_fine.area(inner_faces) * unit * unit;
+    protrusion.border_length = border_length(inner_faces) * unit;
+    protrusion.tip = from_cut.nodes.back();
+    protrusion.border_distance = from_cut.distances.back() * unit;
+    m_observer.tip_selected(protrusion.tip);
+    m_observer.protrusion_found(protrusion);
+  }
+
+  // Of the edges between marked faces and all others, in whatever segment they are.
+  double border_length(const Nodes& inner_faces) const
+  {
+    const Index segment = m_fine.segment(inner_faces.front());
     double length = 0;
     for (Index f : inner_faces)
-      for (Index arc : m_fine_graph.arcs(f))
-        if (!m_fine.is_inner(m_fine_graph.target[arc]) || m_fine.label(m_fine_graph.target[arc]) != parent)
-          length += m_fine_graph.border_length[arc];
-    protrusion.border_length = length * unit;
-    const Nodes along_cut = m_fine.nodes_along_cut(parent, inner_faces).first;
-    const Nodes order = m_fine.nodes_by_distance(
-      along_cut, [&](Index i) { return m_fine.label(i) == parent && m_fine.is_inner(i); },
-      m_fine_graph.lengths());
-    protrusion.tip = m_monitor.position(order.back());
-    protrusion.border_distance = m_fine.distance(order.back()) * unit;
-    m_monitor.visitor().tip_found(protrusion.tip);
-    m_monitor.visitor().protrusion_found(protrusion);
+      for (Index arc : m_graphs.fine.arcs(f))
+        if (!m_fine.is_inner(m_graphs.fine.target[arc]) || m_fine.segment(m_graphs.fine.target[arc]) != segment)
+          length += m_graphs.fine.border_length[arc];
+    return length;
   }
 
   const Indexed_surface& m_surface;
-  const Distance& m_distance;
-  Monitor<Visitor>& m_monitor;
-  Cut_ingredients m_ingredients;
-  Nested_segments m_forest;
-  Weighted_dual_graph m_fine_graph;
-  Coarse_graph m_coarse;
+  const std::optional<Any_distance>& m_distance;
+  Execution& m_execution;
+  Observer& m_observer;
+  Nested_segments m_segments;
+  Cut_graphs m_graphs;
   Graph_partition m_fine;
-  Graph_partition m_coarse_partition;
+  Graph_partition m_coarse;
   Cut_search m_search;
+  Tip_orders m_tip_orders;
+  Face_borders m_face_borders;
   Segment_extractor m_extract;
-  std::vector<Index> m_number;
-  std::vector<Part> m_parts; // by label
+  std::vector<State> m_states; // of every segment
 };
 
 } // namespace internal

@@ -8,10 +8,13 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -20,38 +23,51 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// A seam graph divided into connected parts, and the elementary operations on one part of it. All work
+// Nodes in ascending order of their distances from some others.
+struct Nodes_by_distance
+{
+  std::vector<Weighted_dual_graph::Index> nodes;
+  std::vector<double> distances; // of each of these nodes
+};
+
+// A weighted dual graph divided into connected segments, and the elementary operations on one of them. All work
 // arrays are kept, so that an operation costs no more than the nodes it visits.
 //
-// A cut divides one part in two sides. While it is worked on, the nodes of the inner side are marked.
+// A cut divides one segment in two sides, the inner and the outer one. While it is worked on, the nodes of the
+// inner side are marked.
 class Graph_partition
 {
 public:
   using Index = Weighted_dual_graph::Index;
   using Nodes = std::vector<Index>;
 
-  explicit Graph_partition(const Weighted_dual_graph& graph, std::vector<Index> labels)
+  Graph_partition(const Weighted_dual_graph& graph, std::vector<Index> segments)
     : m_graph(graph),
-      m_labels(std::move(labels)),
+      m_segments(std::move(segments)),
       m_is_inner(graph.number_of_nodes(), false),
       m_stamps(graph.number_of_nodes(), 0),
       m_distances(graph.number_of_nodes(), 0)
   {}
 
   const Weighted_dual_graph& graph() const { return m_graph; }
-  const std::vector<Index>& labels() const { return m_labels; }
-  Index label(Index node) const { return m_labels[node]; }
-  void set_label(Index node, Index label) { m_labels[node] = label; }
+  Index segment(Index node) const { return m_segments[node]; }
+  void set_segment(Index node, Index segment) { m_segments[node] = segment; }
 
   bool is_inner(Index node) const { return m_is_inner[node]; }
   void set_inner(Index node, bool value) { m_is_inner[node] = value; }
-  // Marks the nodes of `inner` and no other node of `part`.
-  void mark(const Nodes& part, const Nodes& inner)
+  // Marks the nodes of `inner` and no other node of `nodes`.
+  void mark(const Nodes& nodes, const Nodes& inner)
   {
-    for (Index i : part)
+    for (Index i : nodes)
       m_is_inner[i] = false;
     for (Index i : inner)
       m_is_inner[i] = true;
+  }
+  Nodes marked(const Nodes& nodes) const
+  {
+    Nodes result;
+    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(result), [this](Index i) { return is_inner(i); });
+    return result;
   }
 
   double area(const Nodes& nodes) const
@@ -62,16 +78,48 @@ public:
     return sum;
   }
 
-  // Dijkstra's algorithm from several nodes over the nodes for which `is_inside` holds, up to `limit`, with
-  // lengths `length(arc)`. Returns the nodes in ascending order of their distances, equal ones in
-  // the order of their numbers.
-  template <typename IsInside, typename Length>
-  Nodes nodes_by_distance(const Nodes& seeds,
-                          IsInside is_inside,
-                          Length length,
-                          double limit = (std::numeric_limits<double>::infinity)())
+  // Calls `visit(arc, inner node, outer node)` for all arcs from the marked nodes `inner` to the rest of their
+  // segment.
+  template <typename Visit>
+  void for_each_arc_of_cut(Index segment, const Nodes& inner, Visit visit) const
   {
-    Nodes order;
+    for (Index i : inner)
+    {
+      CGAL_assertion(m_is_inner[i] && m_segments[i] == segment);
+      for (Index arc : m_graph.arcs(i))
+      {
+        const Index j = m_graph.target[arc];
+        if (m_segments[j] == segment && !m_is_inner[j])
+          visit(arc, i, j);
+      }
+    }
+  }
+
+  // The marked nodes next to an unmarked one of the segment, and those next to them on the other side.
+  std::pair<Nodes, Nodes> nodes_along_cut(Index segment, const Nodes& inner)
+  {
+    ++m_stamp;
+    Nodes inside, outside;
+    for_each_arc_of_cut(segment, inner, [&](Index, Index i, Index j)
+                        {
+                          if (inside.empty() || inside.back() != i)
+                            inside.push_back(i);
+                          if (m_stamps[j] != m_stamp)
+                            outside.push_back(j);
+                          m_stamps[j] = m_stamp;
+                        });
+    return {std::move(inside), std::move(outside)};
+  }
+
+  // Dijkstra's algorithm from several nodes over the nodes for which `is_inside` holds, up to `limit`, with
+  // lengths `length(arc)`. Equal distances are in the order of the numbers of the nodes.
+  template <typename IsInside, typename Length>
+  Nodes_by_distance nodes_by_distance(const Nodes& seeds,
+                                      IsInside is_inside,
+                                      Length length,
+                                      double limit = (std::numeric_limits<double>::infinity)())
+  {
+    Nodes_by_distance result;
     ++m_stamp;
     m_heap.clear();
     for (Index seed : seeds)
@@ -85,15 +133,26 @@ public:
         continue;
       if (distance > limit)
         break;
-      order.push_back(node);
+      result.nodes.push_back(node);
+      result.distances.push_back(distance);
       for (Index arc : m_graph.arcs(node))
         if (is_inside(m_graph.target[arc]))
           offer(m_graph.target[arc], distance + length(arc));
     }
-    return order;
+    return result;
   }
-  // the distance that the last search found for a node of its result
-  double distance(Index node) const { return m_distances[node]; }
+  // The same over one side of a cut.
+  template <typename Length>
+  Nodes_by_distance nodes_by_distance_on_side(const Nodes& seeds,
+                                              Index segment,
+                                              bool inner,
+                                              Length length,
+                                              double limit = (std::numeric_limits<double>::infinity)())
+  {
+    return nodes_by_distance(
+      seeds, [this, segment, inner](Index i) { return m_segments[i] == segment && m_is_inner[i] == inner; },
+      length, limit);
+  }
 
   // The nodes connected to `seed` over nodes for which `is_inside` holds.
   template <typename IsInside>
@@ -103,8 +162,25 @@ public:
     return extend(seed, is_inside);
   }
 
+  // Makes both sides of a cut connected and marks the inner one: it keeps its largest component; then the
+  // outer one does, and what that loses goes to the inner side. Returns the inner side in the order of
+  // `nodes`, those of the segment.
+  Nodes connect_sides(const Nodes& nodes, Index segment, const Nodes& inner)
+  {
+    mark(nodes, inner);
+    const Nodes main = largest_component(inner, segment, true);
+    mark(nodes, main);
+    const Nodes rest = largest_component(nodes, segment, false);
+    for (Index i : nodes)
+      m_is_inner[i] = true;
+    for (Index i : rest)
+      m_is_inner[i] = false;
+    return marked(nodes);
+  }
+
+private:
   // The component of largest area among the nodes of one side; the first of equals.
-  Nodes largest_component(const Nodes& nodes, Index part, bool inner)
+  Nodes largest_component(const Nodes& nodes, Index segment, bool inner)
   {
     ++m_stamp;
     Nodes largest;
@@ -113,7 +189,8 @@ public:
     {
       if (m_is_inner[i] != inner || m_stamps[i] == m_stamp)
         continue;
-      Nodes component = extend(i, [&](Index j) { return m_labels[j] == part && m_is_inner[j] == inner; });
+      Nodes component =
+        extend(i, [&](Index j) { return m_segments[j] == segment && m_is_inner[j] == inner; });
       const double component_area = area(component);
       if (component_area > largest_area)
       {
@@ -124,56 +201,6 @@ public:
     return largest;
   }
 
-  // Makes both sides of a cut connected and marks the inner one: it keeps its largest component; then the
-  // outer one does, and what that loses goes to the inner side. Returns the inner side in the order of
-  // `part`.
-  Nodes connect_sides(const Nodes& part, Index part_label, const Nodes& inner)
-  {
-    mark(part, inner);
-    const Nodes main = largest_component(inner, part_label, true);
-    mark(part, main);
-    const Nodes rest = largest_component(part, part_label, false);
-    for (Index i : part)
-      m_is_inner[i] = true;
-    for (Index i : rest)
-      m_is_inner[i] = false;
-    return inner_nodes(part);
-  }
-
-  Nodes inner_nodes(const Nodes& part) const
-  {
-    Nodes result;
-    for (Index i : part)
-      if (m_is_inner[i])
-        result.push_back(i);
-    return result;
-  }
-
-  // The marked nodes next to an unmarked one of the part, and those next to them on the other side.
-  std::pair<Nodes, Nodes> nodes_along_cut(Index part_label, const Nodes& inner)
-  {
-    ++m_stamp;
-    Nodes inside, outside;
-    for (Index i : inner)
-    {
-      bool is_on_cut = false;
-      for (Index arc : m_graph.arcs(i))
-      {
-        const Index j = m_graph.target[arc];
-        if (m_labels[j] != part_label || m_is_inner[j])
-          continue;
-        is_on_cut = true;
-        if (m_stamps[j] != m_stamp)
-          outside.push_back(j);
-        m_stamps[j] = m_stamp;
-      }
-      if (is_on_cut)
-        inside.push_back(i);
-    }
-    return {std::move(inside), std::move(outside)};
-  }
-
-private:
   void offer(Index node, double distance)
   {
     if (m_stamps[node] == m_stamp && m_distances[node] <= distance)
@@ -203,11 +230,11 @@ private:
   }
 
   const Weighted_dual_graph& m_graph;
-  std::vector<Index> m_labels; // the part of every node
+  std::vector<Index> m_segments; // of every node
   std::vector<bool> m_is_inner;
   std::vector<std::uint32_t> m_stamps; // the last operation that reached a node
   std::uint32_t m_stamp = 0;
-  std::vector<double> m_distances;
+  std::vector<double> m_distances; // for the operation that reached it
   std::vector<std::pair<double, Index>> m_heap;
 };
 

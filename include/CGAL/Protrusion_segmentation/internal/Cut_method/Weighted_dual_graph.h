@@ -10,6 +10,7 @@
 #include <boost/range/irange.hpp>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -29,23 +30,30 @@ struct Weighted_dual_graph
   std::vector<Index> first_arc = std::vector<Index>(1, 0);
   std::vector<Index> target;
 
-  std::vector<float> length;         // between the centres of the nodes
-  std::vector<float> curvature;      // mean along the border, positive where concave
-  std::vector<float> border_length;  // of the edges that the two nodes share
-  std::vector<float> concave_border_length; // the length of those of these edges that lie in a concave seam
-  std::vector<float> capacity;       // the border length, cheap on concave seams: what a cut costs
+  std::vector<float> length;                // between the centres of the nodes
+  std::vector<float> curvature;             // mean along the border, positive where concave
+  std::vector<float> border_length;         // of the edges that the two nodes share
+  std::vector<float> concave_border_length; // of those of these edges that lie in a concave seam
+  std::vector<float> capacity;              // the border length, cheap on concave seams: what a cut costs
 
   std::vector<double> area; // of the nodes
   std::vector<Simple_cartesian<float>::Point_3> centre;
 
-  // By how much one radian of concave angle lengthens an arc; between .15 and .4 it makes no difference, except
-  // that the candidates get better.
-  double length_of_angle = 0.4;
+  double length_of_angle = 0; // by how much one radian of concave angle lengthens an arc
 
   Index number_of_nodes() const { return static_cast<Index>(area.size()); }
   boost::integer_range<Index> arcs(Index node) const
   {
     return boost::irange(first_arc[node], first_arc[node + 1]);
+  }
+  void reserve(std::size_t number_of_nodes, std::size_t number_of_arcs)
+  {
+    first_arc.reserve(number_of_nodes + 1);
+    area.reserve(number_of_nodes);
+    centre.reserve(number_of_nodes);
+    target.reserve(number_of_arcs);
+    for (std::vector<float>* weights : {&length, &curvature, &border_length, &concave_border_length, &capacity})
+      weights->reserve(number_of_arcs);
   }
   // The length of an arc, lengthened where it crosses a concave seam: distances from a tip grow there.
   double seam_length(Index arc) const

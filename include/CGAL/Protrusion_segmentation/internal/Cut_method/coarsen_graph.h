@@ -5,10 +5,10 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_COARSEN_GRAPH_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_COARSEN_GRAPH_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
-
-#include <boost/range/iterator_range.hpp>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,68 +80,43 @@ inline std::pair<std::vector<Weighted_dual_graph::Index>, Weighted_dual_graph::I
   return {number, count};
 }
 
-// The nodes by the number of the set that they are in: those of set u are nodes[first[u]] to
-// nodes[first[u + 1] - 1], in ascending order.
-struct Node_sets
-{
-  std::vector<Weighted_dual_graph::Index> first, nodes;
-
-  Node_sets(const std::vector<Weighted_dual_graph::Index>& number, Weighted_dual_graph::Index count)
-    : first(count + 1, 0), nodes(number.size())
-  {
-    using Index = Weighted_dual_graph::Index;
-    for (Index u : number)
-      ++first[u + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<Index> position(first.begin(), first.end() - 1);
-    for (Index i = 0; i < number.size(); ++i)
-      nodes[position[number[i]]++] = i;
-  }
-
-  boost::iterator_range<std::vector<Weighted_dual_graph::Index>::const_iterator> of(Weighted_dual_graph::Index u) const
-  {
-    return boost::make_iterator_range(nodes.begin() + first[u], nodes.begin() + first[u + 1]);
-  }
-  Weighted_dual_graph::Index number_of_sets() const { return static_cast<Weighted_dual_graph::Index>(first.size() - 1); }
-};
-
-inline void merge_nodes(const Weighted_dual_graph& graph, const Node_sets& sets, Weighted_dual_graph& result)
+inline void merge_nodes(const Weighted_dual_graph& graph, const Index_groups& sets, Weighted_dual_graph& result)
 {
   using Index = Weighted_dual_graph::Index;
   const Indexed_surface::Point_3 origin(0, 0, 0);
-  result.area.assign(sets.number_of_sets(), 0);
-  result.centre.reserve(sets.number_of_sets());
-  for (Index u = 0; u < sets.number_of_sets(); ++u)
+  result.area.assign(sets.number_of_groups(), 0);
+  result.centre.reserve(sets.number_of_groups());
+  for (Index u = 0; u < sets.number_of_groups(); ++u)
   {
     Indexed_surface::Vector_3 moment(0, 0, 0);
-    for (Index i : sets.of(u))
+    for (Index i : sets[u])
     {
       result.area[u] += graph.area[i];
       moment += graph.area[i] * (graph.centre_of(i) - origin);
     }
     result.add_centre(result.area[u] > 0 ? origin + moment / result.area[u]
-                                         : graph.centre_of(sets.of(u).front()));
+                                         : graph.centre_of(sets[u].front()));
   }
 }
 
 inline void merge_arcs(const Weighted_dual_graph& graph,
                        const std::vector<Weighted_dual_graph::Index>& number,
-                       const Node_sets& sets,
+                       const Index_groups& sets,
                        Weighted_dual_graph& result)
 {
   using Index = Weighted_dual_graph::Index;
   // more than needed, but memory that is not written to costs nothing, and growing would hold all twice
   result.target.reserve(graph.target.size());
-  result.first_arc.reserve(sets.number_of_sets() + 1);
+  result.first_arc.reserve(sets.number_of_groups() + 1);
   const auto sums = {&Weighted_dual_graph::border_length, &Weighted_dual_graph::concave_border_length, &Weighted_dual_graph::capacity,
                      &Weighted_dual_graph::curvature};
   for (auto sum : sums)
     (result.*sum).reserve(graph.target.size());
-  std::vector<Index> arc_to(sets.number_of_sets(), Indexed_surface::no_face()); // if it leaves this node
-  for (Index u = 0; u < sets.number_of_sets(); ++u)
+  std::vector<Index> arc_to(sets.number_of_groups(), Indexed_surface::no_face()); // if it leaves this node
+  for (Index u = 0; u < sets.number_of_groups(); ++u)
   {
     const Index begin = result.first_arc.back();
-    for (Index i : sets.of(u))
+    for (Index i : sets[u])
       for (Index old : graph.arcs(i))
       {
         const Index v = number[graph.target[old]];
@@ -173,7 +148,7 @@ inline Weighted_dual_graph contract(const Weighted_dual_graph& graph,
   using Index = Weighted_dual_graph::Index;
   Weighted_dual_graph result;
   result.length_of_angle = graph.length_of_angle;
-  const Node_sets sets(number, count);
+  const Index_groups sets(number, count);
   merge_nodes(graph, sets, result);
   merge_arcs(graph, number, sets, result);
   for (Index arc = 0; arc < result.target.size(); ++arc)
@@ -199,7 +174,9 @@ inline std::vector<float> lengths_between_centres(const Weighted_dual_graph& gra
 
 // Contracts a graph to about `number_of_nodes` nodes of similar area that do not straddle seams: the
 // structure of a shape does not depend on how finely it is meshed, so the search for cuts need not either.
-inline Coarse_graph coarsen(const Weighted_dual_graph& graph, Weighted_dual_graph::Index number_of_nodes)
+inline Coarse_graph coarsen(const Weighted_dual_graph& graph,
+                            Weighted_dual_graph::Index number_of_nodes,
+                            Execution& execution)
 {
   using Index = Weighted_dual_graph::Index;
   // twice the mean; larger nodes would hide narrow protrusions
@@ -212,6 +189,7 @@ inline Coarse_graph coarsen(const Weighted_dual_graph& graph, Weighted_dual_grap
   const Weighted_dual_graph* current = &graph; // never a copy: it would be the largest array of a segmentation
   while (current->number_of_nodes() > number_of_nodes)
   {
+    execution.check();
     const Index before = current->number_of_nodes();
     const auto match = match_neighbors(*current, largest_area, before - number_of_nodes);
     if (before - match.second < least_progress * before && before < 2 * number_of_nodes)

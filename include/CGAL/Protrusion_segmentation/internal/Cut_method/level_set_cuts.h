@@ -18,35 +18,35 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// A side of a cut with a smaller share of the surface is a detail of the mesh and no part of the shape.
-constexpr double least_area_of_part = 0.0025;
+// A side of a cut with a smaller share of the surface is a detail of the mesh and no segment of the shape.
+constexpr double least_area_of_segment = 0.0025;
 
-inline bool is_large_enough(double area, double part_area)
+inline bool is_large_enough(double area, double segment_area)
 {
-  return (std::min)(area, part_area - area) >= least_area_of_part;
+  return (std::min)(area, segment_area - area) >= least_area_of_segment;
 }
 
 // The cost of a cut relative to the area of its smaller side. The exponent lies between the relative length
 // of a loop on a surface, 1/2, which finds the smallest necks, and the ratio cut, 1, which finds halves.
-inline double relative_cost(double cost, double area, double part_area)
+inline double relative_cost(double cost, double area, double segment_area)
 {
   constexpr double exponent = 0.75;
-  return is_large_enough(area, part_area)
-           ? cost * std::exp(-exponent * std::log((std::min)(area, part_area - area)))
+  return is_large_enough(area, segment_area)
+           ? cost * std::exp(-exponent * std::log((std::min)(area, segment_area - area)))
            : (std::numeric_limits<double>::infinity)();
 }
 
-// A component of a level set: the nodes connected to `node` over nodes not after it in the field's order, or
-// not before it if `descending`.
+// A component of a level set: the nodes connected to `node` over nodes not after it in an order of the
+// segment's nodes, or not before it if `descending`.
 struct Level_set
 {
   double relative_cost;
   Weighted_dual_graph::Index node;
-  std::size_t field;
+  std::size_t order; // its number
   bool descending;
 };
 
-// Finds, among all components of all sublevel sets of a field, the best one in each branch of their merge
+// Finds, among all components of all sublevel sets of an order of nodes, the best one in each branch of their merge
 // tree. One union-find sweep with the area and the cost of the cut around each component, nearly linear.
 class Level_set_sweep
 {
@@ -61,17 +61,17 @@ public:
       m_components(partition.graph().number_of_nodes())
   {}
 
-  // `order` holds the nodes of one part, lowest first; the best sets are added to `level_sets`.
+  // `order` holds the nodes of one segment, lowest first; the best sets are added to `level_sets`.
   void operator()(const Nodes& order,
-                  double part_area,
-                  std::size_t field,
+                  double segment_area,
+                  std::size_t number_of_order,
                   bool descending,
                   std::vector<Level_set>& level_sets)
   {
     const auto add = [&](const Component& component)
     {
       if (component.best < (std::numeric_limits<double>::infinity)())
-        level_sets.push_back({component.best, component.best_node, field, descending});
+        level_sets.push_back({component.best, component.best_node, number_of_order, descending});
     };
     for (std::size_t i = 0; i < order.size(); ++i)
       m_rank[order[i]] = static_cast<Index>(i);
@@ -79,7 +79,7 @@ public:
     {
       const Index root = absorb(node, add);
       Component& component = m_components[root];
-      const double cost = relative_cost(component.cost, component.area, part_area);
+      const double cost = relative_cost(component.cost, component.area, segment_area);
       if (cost < component.best)
       {
         component.best = cost;
@@ -121,7 +121,7 @@ private:
     for (Index arc : graph.arcs(node))
     {
       const Index neighbor = graph.target[arc];
-      if (m_partition.label(neighbor) != m_partition.label(node))
+      if (m_partition.segment(neighbor) != m_partition.segment(node))
         continue;
       if (m_rank[neighbor] > m_rank[node])
       {
@@ -140,8 +140,8 @@ private:
   template <typename Add>
   Index merge(Index a, Index b, Add add)
   {
-    const bool a_counts = m_components[a].area >= least_area_of_part;
-    const bool b_counts = m_components[b].area >= least_area_of_part;
+    const bool a_counts = m_components[a].area >= least_area_of_segment;
+    const bool b_counts = m_components[b].area >= least_area_of_segment;
     if (a_counts && b_counts) // two branches end here
     {
       add(m_components[a]);

@@ -36,7 +36,7 @@ public:
 
   // `number` is a work array as long as the graph, filled with `no_face()`, and so left behind.
   Band_network(const Graph_partition& partition,
-               Index part_label,
+               Index segment,
                const Nodes& band,
                std::vector<Index>& number)
     : m_source(static_cast<Index>(band.size())), m_sink(m_source + 1)
@@ -49,7 +49,7 @@ public:
       for (Index arc : graph.arcs(band[i]))
       {
         const Index j = graph.target[arc];
-        if (partition.label(j) != part_label)
+        if (partition.segment(j) != segment)
           continue;
         if (number[j] == Indexed_surface::no_face())
           (partition.is_inner(j) ? from_source : to_sink)[i] += graph.capacity[arc];
@@ -136,46 +136,48 @@ private:
   bool m_has_sink = false;
 };
 
-// Replaces a cut by the cheapest one in a band around it. `inner` is the marked side; returns the new one.
-// The band reaches on the inner side a share of that side's depth, its largest distance from the cut, and on
-// the outer side as far or a little farther, but never to the end of it.
+// The nodes of a segment that a cut may move over.
+inline Graph_partition::Nodes band_of_cut(Graph_partition& partition,
+                                          Weighted_dual_graph::Index segment,
+                                          const Graph_partition::Nodes& inner,
+                                          const Band& band)
+{
+  const auto [inside, outside] = partition.nodes_along_cut(segment, inner);
+  if (inside.empty())
+    return {};
+  Graph_partition::Nodes nodes;
+  const auto take_up_to = [&nodes](const Nodes_by_distance& side, double width)
+  {
+    for (std::size_t i = 0; i < side.nodes.size() && side.distances[i] <= width; ++i)
+      nodes.push_back(side.nodes[i]);
+  };
+  const auto length = partition.graph().seam_lengths();
+  const Nodes_by_distance inner_side = partition.nodes_by_distance_on_side(inside, segment, true, length);
+  const double inner_width = band.inner * inner_side.distances.back();
+  take_up_to(inner_side, inner_width);
+  const Nodes_by_distance outer_side =
+    partition.nodes_by_distance_on_side(outside, segment, false, length, band.outer * inner_width);
+  take_up_to(outer_side, (std::min)(band.outer * inner_width, band.outermost * outer_side.distances.back()));
+  return nodes;
+}
+
+// Replaces a cut by the cheapest one in a band around it. `inner` is the marked side of the segment with the
+// nodes `nodes`; returns the new one, marked. `number` is as for `Band_network`.
 inline Graph_partition::Nodes refine_cut(Graph_partition& partition,
-                                         Weighted_dual_graph::Index part_label,
-                                         const Graph_partition::Nodes& part,
+                                         Weighted_dual_graph::Index segment,
+                                         const Graph_partition::Nodes& nodes,
                                          const Graph_partition::Nodes& inner,
                                          const Band& band,
                                          std::vector<Weighted_dual_graph::Index>& number)
 {
-  using Index = Weighted_dual_graph::Index;
-  using Nodes = Graph_partition::Nodes;
-  const Weighted_dual_graph& graph = partition.graph();
-  const auto on_side = [&](bool side)
-  {
-    return [&partition, part_label, side](Index i)
-    { return partition.label(i) == part_label && partition.is_inner(i) == side; };
-  };
-  const auto [inside, outside] = partition.nodes_along_cut(part_label, inner);
-  if (inside.empty())
-    return inner;
-  Nodes nodes;
-  const Nodes inner_order = partition.nodes_by_distance(inside, on_side(true), graph.seam_lengths());
-  const double inner_width = band.inner * partition.distance(inner_order.back());
-  for (std::size_t i = 0; i < inner_order.size() && partition.distance(inner_order[i]) <= inner_width; ++i)
-    nodes.push_back(inner_order[i]);
-  const Nodes outer_order = partition.nodes_by_distance(outside, on_side(false), graph.seam_lengths(),
-                                                        band.outer * inner_width);
-  const double outer_width =
-    (std::min)(band.outer * inner_width, band.outermost * partition.distance(outer_order.back()));
-  for (std::size_t i = 0; i < outer_order.size() && partition.distance(outer_order[i]) <= outer_width; ++i)
-    nodes.push_back(outer_order[i]);
-
-  Band_network network(partition, part_label, nodes, number);
+  const Graph_partition::Nodes movable = band_of_cut(partition, segment, inner, band);
+  Band_network network(partition, segment, movable, number);
   if (!network.has_terminals())
     return inner;
   const std::vector<bool> is_inner = network.source_side();
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    partition.set_inner(nodes[i], is_inner[i]);
-  return partition.inner_nodes(part);
+  for (std::size_t i = 0; i < movable.size(); ++i)
+    partition.set_inner(movable[i], is_inner[i]);
+  return partition.marked(nodes);
 }
 
 } // namespace internal

@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SMOOTH_NORMALS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SMOOTH_NORMALS_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 
 #include <algorithm>
@@ -29,21 +30,21 @@ public:
   using Triple = std::array<double, 3>;
   using Values = std::vector<Triple>;
 
-  Diffusion(const Indexed_surface& part, double time)
-    : m_part(part), m_diagonal(part.number_of_faces()), m_preconditioner(part.number_of_faces())
+  Diffusion(const Indexed_surface& surface, double time)
+    : m_surface(surface), m_diagonal(surface.number_of_faces()), m_preconditioner(surface.number_of_faces())
   {
     // slivers: centroids that nearly coincide would make a huge weight and a slow solver
-    const double mean_edge = std::sqrt(part.area() / (std::max)(part.number_of_faces(), Index(1)));
+    const double mean_edge = std::sqrt(surface.area() / (std::max)(surface.number_of_faces(), Index(1)));
     const double shortest = 0.01 * mean_edge;
-    m_weights.assign(part.number_of_corners(), 0);
-    for (Index f = 0; f < part.number_of_faces(); ++f)
+    m_weights.assign(surface.number_of_corners(), 0);
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
     {
       m_diagonal[f] = mass(f);
-      for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
-        if (part.neighbor(c) != Indexed_surface::no_face())
+      for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
+        if (surface.neighbor(c) != Indexed_surface::no_face())
         {
-          const double distance = part.arc_length(f, part.neighbor(c));
-          m_weights[c] = static_cast<float>(time * part.edge_length(f, c) /
+          const double distance = surface.arc_length(f, surface.neighbor(c));
+          m_weights[c] = static_cast<float>(time * surface.edge_length(f, c) /
                                             (std::max)(distance, shortest));
           m_diagonal[f] += m_weights[c];
         }
@@ -52,7 +53,7 @@ public:
   }
 
   // Replaces `x` by the diffused values.
-  void operator()(Values& x)
+  void operator()(Values& x, Execution& execution)
   {
     constexpr double tolerance = 1e-4; // relative residual; normals need no more
     constexpr int max_iterations = 200;
@@ -61,6 +62,7 @@ public:
     const auto is_solved = [&](int i) { return !(rho[i] > tolerance * tolerance * right_hand_side[i]); };
     for (int iteration = 0; iteration < max_iterations; ++iteration)
     {
+      execution.check();
       if (is_solved(0) && is_solved(1) && is_solved(2))
         return;
       const Triple curvature = multiply(m_direction, m_product);
@@ -81,7 +83,7 @@ private:
   // a face without area still must not make the matrix singular
   double mass(Index f) const
   {
-    return m_part.area(f) + 1e-9 * m_part.area() / m_part.number_of_faces();
+    return m_surface.area(f) + 1e-9 * m_surface.area() / m_surface.number_of_faces();
   }
 
   // Residuals and first directions; returns the norms of the right hand sides.
@@ -121,15 +123,15 @@ private:
   Triple multiply(const Values& x, Values& result) const
   {
     Triple sums = {0, 0, 0};
-    for (Index f = 0; f < m_part.number_of_faces(); ++f)
+    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
     {
       Triple row;
       for (int i = 0; i < 3; ++i)
         row[i] = m_diagonal[f] * x[f][i];
-      for (Index c = m_part.first_corner(f); c < m_part.first_corner(f + 1); ++c)
-        if (m_part.neighbor(c) != Indexed_surface::no_face())
+      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+        if (m_surface.neighbor(c) != Indexed_surface::no_face())
           for (int i = 0; i < 3; ++i)
-            row[i] -= m_weights[c] * x[m_part.neighbor(c)][i];
+            row[i] -= m_weights[c] * x[m_surface.neighbor(c)][i];
       result[f] = row;
       for (int i = 0; i < 3; ++i)
         sums[i] += x[f][i] * row[i];
@@ -137,7 +139,7 @@ private:
     return sums;
   }
 
-  const Indexed_surface& m_part;
+  const Indexed_surface& m_surface;
   std::vector<double> m_diagonal, m_preconditioner; // each other's inverse
   std::vector<float> m_weights;                     // of every corner's edge
   Values m_residual, m_direction, m_product;
@@ -145,27 +147,32 @@ private:
 
 // Unit normals of the faces, averaged over about `radius` on the surface. A face whose average vanishes gets
 // the zero vector.
-inline std::vector<Indexed_surface::Vector_3> smooth_normals(const Indexed_surface& part, double radius)
+inline std::vector<Indexed_surface::Vector_3> smooth_normals(const Indexed_surface& surface,
+                                                             double radius,
+                                                             Execution& execution)
 {
   using Index = Indexed_surface::Index;
   using Vector_3 = Indexed_surface::Vector_3;
   // Two steps of diffusion have together the variance of the mean over a disc of that radius.
   constexpr int steps = 2;
   const double time = radius * radius / (8 * steps);
-  Diffusion::Values normals(part.number_of_faces(), {0, 0, 0});
-  for (Index f = 0; f < part.number_of_faces(); ++f)
-    if (part.area(f) > 0)
+  Diffusion::Values normals(surface.number_of_faces(), {0, 0, 0});
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    if (surface.area(f) > 0)
     {
-      const Vector_3 normal = part.area_vector(f);
-      normals[f] = {normal.x() / part.area(f), normal.y() / part.area(f), normal.z() / part.area(f)};
+      const Vector_3 normal = surface.area_vector(f);
+      normals[f] = {normal.x() / surface.area(f), normal.y() / surface.area(f), normal.z() / surface.area(f)};
     }
   {
-    Diffusion diffuse(part, time);
+    Diffusion diffuse(surface, time);
     for (int step = 0; step < steps; ++step)
-      diffuse(normals);
+    {
+      execution.progress(static_cast<double>(step) / steps);
+      diffuse(normals, execution);
+    }
   }
   std::vector<Vector_3> result;
-  result.reserve(part.number_of_faces());
+  result.reserve(surface.number_of_faces());
   for (const Diffusion::Triple& normal : normals)
   {
     const Vector_3 vector(normal[0], normal[1], normal[2]);

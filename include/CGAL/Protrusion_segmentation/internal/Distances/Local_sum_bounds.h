@@ -34,10 +34,10 @@ class Local_sum_bounds
 public:
   using Index = Indexed_surface::Index;
 
-  explicit Local_sum_bounds(const Indexed_surface& part)
-    : m_part(part),
-      m_number_in_ball(part.number_of_faces(), Indexed_surface::no_face()),
-      m_holder(part.number_of_faces())
+  explicit Local_sum_bounds(const Indexed_surface& surface)
+    : m_surface(surface),
+      m_number_in_ball(surface.number_of_faces(), Indexed_surface::no_face()),
+      m_holder(surface.number_of_faces())
   {}
 
   // Lowers the bounds around the source of `tree` and `distances`, where they reach `largest`, the largest
@@ -113,11 +113,11 @@ private:
     std::vector<std::pair<Index, Index>> arcs;
     std::vector<Indexed_surface::Arc> properties;
     for (Index i = 0; i < m_ball.size(); ++i)
-      for (Index c = m_part.first_corner(m_ball[i]); c < m_part.first_corner(m_ball[i] + 1); ++c)
-        if (const Index g = m_part.neighbor(c); g != Indexed_surface::no_face() && is_in_ball(g))
+      for (Index c = m_surface.first_corner(m_ball[i]); c < m_surface.first_corner(m_ball[i] + 1); ++c)
+        if (const Index g = m_surface.neighbor(c); g != Indexed_surface::no_face() && is_in_ball(g))
         {
           arcs.emplace_back(i, m_number_in_ball[g]);
-          properties.push_back({m_part.arc_length(m_ball[i], g)});
+          properties.push_back({m_surface.arc_length(m_ball[i], g)});
         }
     return Indexed_surface::Dual_graph(boost::edges_are_sorted, arcs.begin(), arcs.end(),
                                     properties.begin(), static_cast<Index>(m_ball.size()),
@@ -155,7 +155,7 @@ private:
     }
   }
 
-  const Indexed_surface& m_part;
+  const Indexed_surface& m_surface;
   std::vector<Index> m_ball;           // nearest first
   std::vector<Index> m_number_in_ball; // of every face
   std::vector<Index> m_holder;         // p(j) of every face j

@@ -21,9 +21,9 @@ class Nearest_landmarks
 public:
   using Index = Indexed_surface::Index;
 
-  explicit Nearest_landmarks(const Indexed_surface& part)
-    : m_distances(part.number_of_faces(), (std::numeric_limits<double>::infinity)()),
-      m_landmarks(part.number_of_faces(), 0)
+  explicit Nearest_landmarks(const Indexed_surface& surface)
+    : m_distances(surface.number_of_faces(), (std::numeric_limits<double>::infinity)()),
+      m_landmarks(surface.number_of_faces(), 0)
   {}
 
   Index number_of_faces() const { return static_cast<Index>(m_landmarks.size()); }

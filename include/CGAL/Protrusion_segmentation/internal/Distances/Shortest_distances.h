@@ -47,7 +47,7 @@ public:
   using Graph = Indexed_surface::Dual_graph;
   static constexpr double unreachable() { return (std::numeric_limits<double>::infinity)(); }
 
-  explicit Shortest_distances(const Indexed_surface& part) : Shortest_distances(part.dual_graph()) {}
+  explicit Shortest_distances(const Indexed_surface& surface) : Shortest_distances(surface.dual_graph()) {}
 
   explicit Shortest_distances(Graph graph) : m_graph(std::make_shared<const Graph>(std::move(graph)))
   {

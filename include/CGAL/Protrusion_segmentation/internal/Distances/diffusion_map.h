@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_DIFFUSION_MAP_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_DIFFUSION_MAP_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/random_walk.h>
 
 #include <Eigen/Core>
@@ -69,11 +70,16 @@ class Deflated_inverse
 public:
   using Scalar = double;
 
-  explicit Deflated_inverse(const Eigen::SparseMatrix<double>& laplacian) : m_n(laplacian.rows())
+  Deflated_inverse(const Eigen::SparseMatrix<double>& laplacian, Execution& execution)
+    : m_n(laplacian.rows()), m_execution(execution)
   {
     Eigen::SparseMatrix<double> identity(m_n, m_n);
     identity.setIdentity();
-    m_factors.compute(laplacian + shift() * identity);
+    const Eigen::SparseMatrix<double> matrix = laplacian + shift() * identity;
+    m_factors.analyzePattern(matrix);
+    m_execution.check();
+    m_factors.factorize(matrix);
+    m_execution.check();
     if (m_factors.info() != Eigen::Success)
       throw std::runtime_error("Diffusion_distance: the matrix of " + std::to_string(m_n) +
                                " faces cannot be factorized");
@@ -92,6 +98,7 @@ public:
   Eigen::Index cols() const { return m_n; }
   void perform_op(const double* x, double* y) const
   {
+    m_execution.check();
     Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(x, m_n);
     project(v);
     v = m_factors.solve(v).eval();
@@ -103,6 +110,7 @@ private:
   void project(Eigen::VectorXd& v) const { v -= m_known * (m_known.transpose() * v).eval(); }
 
   Eigen::Index m_n;
+  Execution& m_execution;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> m_factors;
   Eigen::MatrixXd m_known = Eigen::MatrixXd(m_n, 0);
 };
@@ -138,30 +146,34 @@ inline void append_next_eigenpairs(Deflated_inverse& inverse,
 
 // The eigenpairs by the Lanczos method on the inverse. It may miss copies of a multiple eigenvalue; so the
 // solver is asked again for what is left, until the next value is larger than all that are wanted.
-inline Eigenpairs sparse_eigenpairs(const Random_walk& walk, std::size_t count, std::size_t maximum_restarts)
+inline Eigenpairs sparse_eigenpairs(const Random_walk& walk,
+                                    std::size_t count,
+                                    Execution& execution,
+                                    std::size_t maximum_restarts)
 {
   constexpr std::size_t number_of_probes = 2;
-  Deflated_inverse inverse(walk.laplacian);
+  // An eigenvalue of higher multiplicity, as of a face with hundreds of equal neighbours, is cut off there.
+  constexpr std::size_t maximum_number_of_probes = 200;
+  Deflated_inverse inverse(walk.laplacian, execution);
   inverse.deflate(walk.degrees.cwiseSqrt().normalized());
   Eigenpairs pairs;
   append_next_eigenpairs(inverse, count, maximum_restarts, pairs);
-  for (std::size_t wanted = 0; wanted == 0;)
+  std::size_t complete = 0;
+  for (bool is_complete = false; !is_complete && pairs.size() < count + maximum_number_of_probes;)
   {
     const std::size_t old_size = pairs.size();
     append_next_eigenpairs(inverse, number_of_probes, maximum_restarts, pairs);
     const double next = (std::min)(pairs.values[old_size], pairs.values[old_size + 1]);
     pairs.sort_and_keep(pairs.size());
-    const std::size_t complete = count_with_multiplicity(pairs.values, count);
-    if (next > pairs.values[complete - 1])
-      wanted = complete;
-    if (wanted > 0)
-      pairs.sort_and_keep(wanted);
+    complete = count_with_multiplicity(pairs.values, count);
+    is_complete = next > pairs.values[complete - 1];
   }
+  pairs.sort_and_keep(complete);
   return pairs;
 }
 
 // The trivial pair is moved to the end, beyond the largest value possible, 2: were it left in its place, it
-// would be mixed with others of value 0 where the part is not connected.
+// would be mixed with others of value 0 where the surface is not connected.
 inline Eigenpairs dense_eigenpairs(const Random_walk& walk, std::size_t count)
 {
   const Eigen::VectorXd trivial = walk.degrees.cwiseSqrt().normalized();
@@ -183,6 +195,7 @@ inline Eigenpairs dense_eigenpairs(const Random_walk& walk, std::size_t count)
 // The first `count` eigenpairs or all there are; more if the last one's eigenvalue is a multiple one.
 inline Eigenpairs eigenpairs(const Random_walk& walk,
                              std::size_t count,
+                             Execution& execution,
                              std::size_t maximum_restarts = 1000)
 {
   // dense matrices where they are faster or where Lanczos vectors would have no room
@@ -191,7 +204,7 @@ inline Eigenpairs eigenpairs(const Random_walk& walk,
   if (n < 2)
     return {}; // there is only the trivial pair, or none
   return n < smallest_sparse || n < 3 * count ? dense_eigenpairs(walk, count)
-                                              : sparse_eigenpairs(walk, count, maximum_restarts);
+                                              : sparse_eigenpairs(walk, count, execution, maximum_restarts);
 }
 
 // The right eigenvector psi of P for an eigenvector of S, normalized as by Coifman and Lafon: its mean

@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_LARGEST_DISTANCE_SUM_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_LARGEST_DISTANCE_SUM_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Local_sum_bounds.h>
 
@@ -32,14 +33,17 @@ inline double distance_sum(const std::vector<double>& distances)
 // The face with the largest sum of distances to all faces, eq. (1), the lowest face where several share
 // it, by one distance computation per face: the reference, and the way for distances that are no metric.
 template <typename Distances>
-Indexed_surface::Index largest_distance_sum_of_all_pairs(const Indexed_surface& part, Distances& distances)
+Indexed_surface::Index largest_distance_sum_of_all_pairs(const Indexed_surface& surface,
+                                                         Distances& distances,
+                                                         Execution& execution)
 {
   using Index = Indexed_surface::Index;
   std::vector<double> from_face;
   Index best = 0;
   double largest = -1;
-  for (Index f = 0; f < part.number_of_faces(); ++f)
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
+    execution.progress(static_cast<double>(f) / surface.number_of_faces());
     distances(f, from_face);
     const double sum = distance_sum(from_face);
     if (sum > largest)
@@ -73,13 +77,14 @@ class Largest_distance_sum
 public:
   using Index = Indexed_surface::Index;
 
-  Largest_distance_sum(const Indexed_surface& part, Distances& distances)
-    : m_number_of_faces(part.number_of_faces()),
+  Largest_distance_sum(const Indexed_surface& surface, Distances& distances, Execution& execution)
+    : m_number_of_faces(surface.number_of_faces()),
       m_rounding(1 + 8 * m_number_of_faces * (std::numeric_limits<double>::epsilon)()),
       m_distances(distances),
-      m_bounds(part.number_of_faces(), (std::numeric_limits<double>::infinity)()),
-      m_is_visited(part.number_of_faces(), false),
-      m_local_bounds(part)
+      m_execution(execution),
+      m_bounds(surface.number_of_faces(), (std::numeric_limits<double>::infinity)()),
+      m_is_visited(surface.number_of_faces(), false),
+      m_local_bounds(surface)
   {}
 
   // Visits up to `maximum_number_of_visits` faces; returns the best of them.
@@ -88,6 +93,8 @@ public:
     Index next = 0;
     for (std::size_t i = 0; i < maximum_number_of_visits && next < m_number_of_faces; ++i)
     {
+      // how many visits there will be is not known; most surfaces need some dozen
+      m_execution.progress(static_cast<double>(i) / static_cast<double>(i + 50));
       visit(next);
       next = widest();
     }
@@ -137,6 +144,7 @@ private:
   Index m_number_of_faces;
   double m_rounding;
   Distances& m_distances;
+  Execution& m_execution;
   std::vector<double> m_bounds;
   std::vector<bool> m_is_visited;
   Local_sum_bounds m_local_bounds;
@@ -148,9 +156,11 @@ private:
 
 // The face of eq. (1) for a metric, the same as of all pairs.
 template <typename Distances>
-Indexed_surface::Index largest_distance_sum(const Indexed_surface& part, Distances& distances)
+Indexed_surface::Index largest_distance_sum(const Indexed_surface& surface,
+                                            Distances& distances,
+                                            Execution& execution)
 {
-  return Largest_distance_sum<Distances>(part, distances)(part.number_of_faces());
+  return Largest_distance_sum<Distances>(surface, distances, execution)(surface.number_of_faces());
 }
 
 } // namespace internal

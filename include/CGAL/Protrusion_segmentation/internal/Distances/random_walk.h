@@ -36,31 +36,31 @@ constexpr double resting_weight = 50;
 //
 // Lengths below a thousandth of the length of a mean face count as that much: no weight is infinite, and
 // a face without area is left at once.
-inline Random_walk make_random_walk(const Indexed_surface& part)
+inline Random_walk make_random_walk(const Indexed_surface& surface)
 {
   using Index = Indexed_surface::Index;
-  const Index n = part.number_of_faces();
-  const double mean_area = part.area() / n;
+  const Index n = surface.number_of_faces();
+  const double mean_area = surface.area() / n;
   const double shortest = 1e-3 * std::sqrt(mean_area);
   const auto ratio = [](double a, double b) { return b > 0 ? a / b : 1.; }; // 1 where all points are equal
 
   std::vector<Eigen::Triplet<double>> weights;
-  weights.reserve(part.number_of_corners() + n);
+  weights.reserve(surface.number_of_corners() + n);
   Eigen::VectorXd leaving = Eigen::VectorXd::Zero(n);
   for (Index f = 0; f < n; ++f)
-    for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
-      if (const Index g = part.neighbor(c); g != Indexed_surface::no_face())
+    for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
+      if (const Index g = surface.neighbor(c); g != Indexed_surface::no_face())
       {
-        const double length = part.arc_length(f, g);
+        const double length = surface.arc_length(f, g);
         const double weight =
-          ratio((std::max)(part.edge_length(f, c), shortest), (std::max)(length, shortest));
+          ratio((std::max)(surface.edge_length(f, c), shortest), (std::max)(length, shortest));
         weights.emplace_back(f, g, -weight);
         leaving[f] += weight;
       }
   Random_walk walk;
   walk.degrees.resize(n);
   for (Index f = 0; f < n; ++f)
-    walk.degrees[f] = leaving[f] + resting_weight * ratio(part.area(f), mean_area);
+    walk.degrees[f] = leaving[f] + resting_weight * ratio(surface.area(f), mean_area);
   for (Index f = 0; f < n; ++f)
     weights.emplace_back(f, f, leaving[f]);
   for (auto& w : weights)

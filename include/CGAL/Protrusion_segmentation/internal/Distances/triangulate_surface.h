@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <random>
 #include <utility>
 #include <vector>
@@ -22,7 +23,7 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// A part as a halfedge structure of triangles, for algorithms that need one. Every polygon is the fan of
+// A surface as a halfedge structure of triangles, for algorithms that need one. Every polygon is the fan of
 // triangles around its first corner; the triangles are in the order of the faces.
 template <typename Point>
 struct Triangulated_surface
@@ -43,13 +44,13 @@ public:
   using Mesh = Surface_mesh<Point>;
   using Halfedge = typename Mesh::Halfedge_index;
 
-  explicit Surface_triangulator(const Indexed_surface& part)
-    : m_part(part), m_halfedges(part.number_of_corners())
+  explicit Surface_triangulator(const Indexed_surface& surface)
+    : m_surface(surface), m_halfedges(surface.number_of_corners())
   {}
 
   Triangulated_surface<Point> operator()()
   {
-    for (Index f = 0; f < m_part.number_of_faces(); ++f)
+    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
     {
       m_result.first_triangle.push_back(static_cast<Index>(m_mesh.number_of_faces()));
       if (is_polygon(f))
@@ -66,16 +67,16 @@ public:
   }
 
 private:
-  bool is_polygon(Index f) const { return m_part.first_corner(f + 1) - m_part.first_corner(f) >= 3; }
+  bool is_polygon(Index f) const { return m_surface.first_corner(f + 1) - m_surface.first_corner(f) >= 3; }
 
   // The same edge seen from the face beyond it, if that is oriented alike.
   Index opposite_corner(Index f, Index corner) const
   {
-    const Index g = m_part.neighbor(corner);
+    const Index g = m_surface.neighbor(corner);
     if (g != Indexed_surface::no_face() && is_polygon(g))
-      for (Index c = m_part.first_corner(g); c < m_part.first_corner(g + 1); ++c)
-        if (m_part.neighbor(c) == f && m_part.vertex(c) == m_part.vertex(m_part.next_corner(f, corner)) &&
-            m_part.vertex(m_part.next_corner(g, c)) == m_part.vertex(corner))
+      for (Index c = m_surface.first_corner(g); c < m_surface.first_corner(g + 1); ++c)
+        if (m_surface.neighbor(c) == f && m_surface.vertex(c) == m_surface.vertex(m_surface.next_corner(f, corner)) &&
+            m_surface.vertex(m_surface.next_corner(g, c)) == m_surface.vertex(corner))
           return c;
     return Indexed_surface::no_face();
   }
@@ -92,7 +93,7 @@ private:
 
   void add_fan(Index f)
   {
-    const Index first = m_part.first_corner(f), last = m_part.first_corner(f + 1) - 1;
+    const Index first = m_surface.first_corner(f), last = m_surface.first_corner(f + 1) - 1;
     Halfedge from_first = halfedge_of_corner(f, first);
     for (Index c = first + 1; c < last; ++c)
     {
@@ -114,7 +115,7 @@ private:
     {
       m_mesh.set_face(halfedges[i], triangle);
       m_mesh.set_next(halfedges[i], halfedges[(i + 1) % 3]);
-      m_target[halfedges[i]] = m_part.vertex(target_corners[i]);
+      m_target[halfedges[i]] = m_surface.vertex(target_corners[i]);
     }
   }
 
@@ -130,7 +131,7 @@ private:
   // One vertex for all halfedges around the end of `h`; a border halfedge stands for a border vertex.
   void add_vertex(Halfedge h)
   {
-    const Indexed_surface::Point_3& p = m_part.point(m_target[h]);
+    const Indexed_surface::Point_3& p = m_surface.point(m_target[h]);
     const typename Mesh::Vertex_index v = m_mesh.add_vertex(Point(p.x(), p.y(), p.z()));
     m_mesh.set_halfedge(v, h);
     Halfedge around = h;
@@ -143,11 +144,11 @@ private:
     } while (around != h);
   }
 
-  const Indexed_surface& m_part;
+  const Indexed_surface& m_surface;
   Triangulated_surface<Point> m_result;
   Mesh& m_mesh = m_result.mesh;
   std::vector<Halfedge> m_halfedges; // of the corners
-  std::vector<Index> m_target;       // of the halfedges: the vertex of the part at their end
+  std::vector<Index> m_target;       // of the halfedges: the vertex of the surface at their end
 };
 
 // Moves the corners of triangles that are next to flat, by a thousandth of the triangle's longest edge, in
@@ -186,6 +187,15 @@ bool widen_flat_triangles(Surface_mesh<Point>& mesh)
                                                    offset(), offset(), offset());
     }
   return std::none_of(mesh.faces().begin(), mesh.faces().end(), is_flat);
+}
+
+// What CGAL's distances over the faces work on; none where they cannot, for want of area.
+template <typename Point>
+std::unique_ptr<Triangulated_surface<Point>> triangulate_for_paths(const Indexed_surface& surface)
+{
+  auto result =
+    std::make_unique<Triangulated_surface<Point>>(Surface_triangulator<Point>(surface)());
+  return surface.area() > 0 && widen_flat_triangles(result->mesh) ? std::move(result) : nullptr;
 }
 
 } // namespace internal

@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_TIP_RECORD_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_TIP_RECORD_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/detect_border.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/distance_histogram.h>
@@ -23,31 +24,31 @@ namespace internal {
 // What is kept of the distances from a tip: enough to decide on its border at any later time.
 struct Tip_record
 {
-  Indexed_surface::Index tip; // face of the part
+  Indexed_surface::Index tip; // face of the segment
   bool is_plausible;       // else to be used only when no plausible tip has a border
   Distance_histogram histogram;
   std::array<double, number_of_slots> diameters;
   std::vector<double> to_earlier_tips;
 };
 
-// All records of a part, in the order of selection.
+// All records of a segment, in the order of selection.
 using Tip_records = std::vector<Tip_record>;
 
 // Section III.D.1 and III.D.2 for one more tip. `distances` are those from the tip.
-inline void add_tip_record(const Indexed_surface& part,
+inline void add_tip_record(const Indexed_surface& surface,
                            Indexed_surface::Index tip,
                            bool is_plausible,
                            const std::vector<double>& distances,
                            Plane_section& section,
-                           Tip_records& records,
-                           bool parallel)
+                           Execution& execution,
+                           Tip_records& records)
 {
   const Slots slots(distances);
   std::vector<double> to_earlier_tips;
   for (const Tip_record& record : records)
     to_earlier_tips.push_back(distances[record.tip]);
   records.push_back({tip, is_plausible, slots.histogram(),
-                     sectional_diameter_histogram(part, distances, slots, section, parallel),
+                     sectional_diameter_histogram(surface, distances, slots, section, execution),
                      std::move(to_earlier_tips)});
 }
 

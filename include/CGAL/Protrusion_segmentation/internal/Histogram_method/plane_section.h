@@ -84,7 +84,7 @@ public:
   using Index = Indexed_surface::Index;
   using Point_3 = Indexed_surface::Point_3;
 
-  explicit Plane_section(const Indexed_surface& part) : m_part(part), m_visited(part.number_of_faces(), 0) {}
+  explicit Plane_section(const Indexed_surface& surface) : m_surface(surface), m_visited(surface.number_of_faces(), 0) {}
 
   // Forgets which faces were visited: to be called before the first component of each plane.
   void start() { ++m_section; }
@@ -109,15 +109,15 @@ private:
   // A vertex on the plane counts as above, so that every edge is crossed or not and no case is degenerate.
   void cross_face(Index f, const Section_plane& plane, std::vector<Point_3>& points)
   {
-    const Point_3* p = &m_part.point(m_part.vertex(m_part.first_corner(f)));
+    const Point_3* p = &m_surface.point(m_surface.vertex(m_surface.first_corner(f)));
     double height = plane.height(*p);
     const double first_height = height;
-    for (Index c = m_part.first_corner(f); c < m_part.first_corner(f + 1); ++c)
+    for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
     {
-      const Index next = m_part.next_corner(f, c);
-      const Point_3* q = &m_part.point(m_part.vertex(next));
-      const double next_height = next == m_part.first_corner(f) ? first_height : plane.height(*q);
-      if ((height >= 0) != (next_height >= 0) && enter(m_part.neighbor(c)))
+      const Index next = m_surface.next_corner(f, c);
+      const Point_3* q = &m_surface.point(m_surface.vertex(next));
+      const double next_height = next == m_surface.first_corner(f) ? first_height : plane.height(*q);
+      if ((height >= 0) != (next_height >= 0) && enter(m_surface.neighbor(c)))
         points.push_back(*p + (*q - *p) * (height / (height - next_height)));
       p = q;
       height = next_height;
@@ -136,7 +136,7 @@ private:
     return true;
   }
 
-  const Indexed_surface& m_part;
+  const Indexed_surface& m_surface;
   std::vector<std::uint32_t> m_visited; // the last section that a face was visited for
   std::uint32_t m_section = 0;
   std::vector<Index> m_queue;

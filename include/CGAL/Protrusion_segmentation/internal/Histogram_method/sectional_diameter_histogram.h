@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_SECTIONAL_DIAMETER_HISTOGRAM_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_SECTIONAL_DIAMETER_HISTOGRAM_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/distance_histogram.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
@@ -22,7 +23,7 @@ namespace internal {
 
 // The plane through the ring of faces in a slot: through the ring's centre of gravity, normal to the
 // direction in which the distance grows there (the gradient over all arcs that leave a face of the ring).
-inline Section_plane plane_of_slot(const Indexed_surface& part,
+inline Section_plane plane_of_slot(const Indexed_surface& surface,
                                    const std::vector<double>& distances,
                                    const Slots& slots,
                                    std::size_t slot)
@@ -34,18 +35,18 @@ inline Section_plane plane_of_slot(const Indexed_surface& part,
   const Indexed_surface::Point_3 origin(0, 0, 0);
   for (Index f : slots.faces(slot))
   {
-    area += part.area(f);
-    centre += part.area(f) * (part.centroid(f) - origin);
-    for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
+    area += surface.area(f);
+    centre += surface.area(f) * (surface.centroid(f) - origin);
+    for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
     {
-      const Index g = part.neighbor(c);
-      const double length = g == Indexed_surface::no_face() ? 0 : part.arc_length(f, g);
+      const Index g = surface.neighbor(c);
+      const double length = g == Indexed_surface::no_face() ? 0 : surface.arc_length(f, g);
       if (length > 0)
-        growth += (part.area(f) * (distances[g] - distances[f]) / (length * length)) *
-                  (part.centroid(g) - part.centroid(f));
+        growth += (surface.area(f) * (distances[g] - distances[f]) / (length * length)) *
+                  (surface.centroid(g) - surface.centroid(f));
     }
   }
-  return {area > 0 ? origin + centre / area : part.centroid(slots.faces(slot).front()), growth};
+  return {area > 0 ? origin + centre / area : surface.centroid(slots.faces(slot).front()), growth};
 }
 
 // The diameter of the component of the section that lies nearest to the centre of the ring; 0 if the plane
@@ -75,22 +76,23 @@ inline double diameter_of_slot(const Section_plane& plane,
 }
 
 // The sectional-diameter histogram of Section III.D.2: for each slot of the distance histogram the diameter
-// of the surface's section there, in the unit of `part`. A slot without a section takes the diameter of the
+// of the surface's section there, in the unit of `surface`. A slot without a section takes the diameter of the
 // slot before it.
 inline std::array<double, number_of_slots> sectional_diameter_histogram(
-  const Indexed_surface& part,
+  const Indexed_surface& surface,
   const std::vector<double>& distances,
   const Slots& slots,
   Plane_section& section,
-  bool parallel = false)
+  Execution& execution)
 {
   std::array<double, number_of_slots> diameters{};
   for_each_index(
-    number_of_slots, parallel, section,
+    number_of_slots, execution.is_parallel(), section,
     [&](Plane_section& section_of_thread, std::size_t s)
     {
+      execution.check();
       if (!slots.faces(s).empty())
-        diameters[s] = diameter_of_slot(plane_of_slot(part, distances, slots, s), slots, s,
+        diameters[s] = diameter_of_slot(plane_of_slot(surface, distances, slots, s), slots, s,
                                         section_of_thread);
     },
     [](const Plane_section&) {});

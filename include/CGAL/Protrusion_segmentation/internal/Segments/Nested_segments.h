@@ -8,6 +8,9 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 
+#include <CGAL/assertions.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -22,39 +25,70 @@ namespace internal {
 // protrusion gets the next id and the rest keeps the old one. So a segment's parent has a lower id, and the
 // segmentation as it was with any smaller number of segments is found by giving the faces of the newest
 // segments back to their parents, one after the other.
-struct Nested_segments
+class Nested_segments
 {
+public:
   using Index = Indexed_surface::Index;
+  using Faces = std::vector<Index>;
 
-  std::vector<Index> labels;  // the segment of every face
-  std::vector<Index> parents; // of every segment; a connected component is its own parent
-  std::size_t number_of_components = 0;
+  Nested_segments() = default;
 
   explicit Nested_segments(const Indexed_surface& surface)
+    : m_labels(label_components(surface, std::vector<Index>(surface.number_of_faces(), 0)).component)
   {
-    labels = label_components(surface, std::vector<Index>(surface.number_of_faces(), 0)).component;
-    for (Index f = 0; f < labels.size(); ++f)
-      if (labels[f] == parents.size())
-        parents.push_back(labels[f]);
-    number_of_components = parents.size();
+    for (Index f = 0; f < m_labels.size(); ++f)
+    {
+      if (m_labels[f] == m_parents.size())
+      {
+        m_parents.push_back(m_labels[f]);
+        m_faces.emplace_back();
+      }
+      m_faces[m_labels[f]].push_back(f);
+    }
+    m_number_of_components = m_parents.size();
   }
 
-  std::size_t number_of_segments() const { return parents.size(); }
+  std::size_t number_of_components() const { return m_number_of_components; }
+  std::size_t number_of_segments() const { return m_parents.size(); }
+  // of a segment; that of a connected component is the segment itself
+  Index parent(std::size_t segment) const { return m_parents[segment]; }
+  // the segment of every face
+  const std::vector<Index>& labels() const { return m_labels; }
+  // the faces of a segment, ascending
+  const Faces& faces(std::size_t segment) const { return m_faces[segment]; }
 
-  Index add_segment(Index parent)
+  double area(const Indexed_surface& surface, std::size_t segment) const
   {
-    parents.push_back(parent);
-    return static_cast<Index>(parents.size() - 1);
+    double sum = 0;
+    for (Index f : m_faces[segment])
+      sum += surface.area(f);
+    return sum;
   }
 
-  std::vector<Index> faces_of(Index segment) const
+  // Makes the faces of a segment for which `is_inner(face)` holds, some but not all, a segment of their own;
+  // returns its id.
+  template <typename IsInner>
+  Index cut_off(Index segment, IsInner is_inner)
   {
-    std::vector<Index> faces;
-    for (Index f = 0; f < labels.size(); ++f)
-      if (labels[f] == segment)
-        faces.push_back(f);
-    return faces;
+    const Index id = static_cast<Index>(m_parents.size());
+    Faces& faces = m_faces[segment];
+    const auto inner_begin = std::stable_partition(faces.begin(), faces.end(),
+                                                   [&](Index f) { return !is_inner(f); });
+    CGAL_precondition(inner_begin != faces.begin() && inner_begin != faces.end());
+    Faces inner(inner_begin, faces.end());
+    faces.erase(inner_begin, faces.end());
+    for (Index f : inner)
+      m_labels[f] = id;
+    m_parents.push_back(segment);
+    m_faces.push_back(std::move(inner));
+    return id;
   }
+
+private:
+  std::vector<Index> m_labels;
+  std::vector<Index> m_parents;
+  std::vector<Faces> m_faces;
+  std::size_t m_number_of_components = 0;
 };
 
 } // namespace internal

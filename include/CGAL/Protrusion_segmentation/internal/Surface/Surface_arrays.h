@@ -32,7 +32,7 @@ struct Surface_arrays
   Index neighbor(Index corner) const { return corner_neighbors[corner]; }
 
   // leaves the arrays empty
-  Indexed_surface to_part() &&
+  Indexed_surface to_surface() &&
   {
     return Indexed_surface(std::move(points), std::move(corner_begin), std::move(corner_vertices),
                         std::move(corner_neighbors));

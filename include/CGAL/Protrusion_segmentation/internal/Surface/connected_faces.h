@@ -16,7 +16,7 @@ namespace internal {
 // The faces connected to `seed` over faces for which `is_inside(face)` holds, `seed` first. `is_inside` is
 // asked about a face until it says yes and has to say no once the face was told to `enter(face)`.
 template <typename IsInside, typename Enter>
-std::vector<Indexed_surface::Index> connected_faces(const Indexed_surface& part,
+std::vector<Indexed_surface::Index> connected_faces(const Indexed_surface& surface,
                                                  Indexed_surface::Index seed,
                                                  IsInside is_inside,
                                                  Enter enter)
@@ -27,9 +27,9 @@ std::vector<Indexed_surface::Index> connected_faces(const Indexed_surface& part,
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     const Index f = faces[i];
-    for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
+    for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
     {
-      const Index g = part.neighbor(c);
+      const Index g = surface.neighbor(c);
       if (g != Indexed_surface::no_face() && is_inside(g))
       {
         enter(g);
@@ -48,24 +48,24 @@ struct Label_components
   std::vector<double> area;                   // of every component
 };
 
-inline Label_components label_components(const Indexed_surface& part,
+inline Label_components label_components(const Indexed_surface& surface,
                                          const std::vector<Indexed_surface::Index>& labels)
 {
   using Index = Indexed_surface::Index;
   Label_components result;
-  result.component.assign(part.number_of_faces(), Indexed_surface::no_face());
-  for (Index f = 0; f < part.number_of_faces(); ++f)
+  result.component.assign(surface.number_of_faces(), Indexed_surface::no_face());
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
     if (result.component[f] != Indexed_surface::no_face())
       continue;
     const Index id = static_cast<Index>(result.label.size());
     const std::vector<Index> faces = connected_faces(
-      part, f, [&](Index g)
+      surface, f, [&](Index g)
       { return labels[g] == labels[f] && result.component[g] == Indexed_surface::no_face(); },
       [&](Index g) { result.component[g] = id; });
     double area = 0;
     for (Index g : faces)
-      area += part.area(g);
+      area += surface.area(g);
     result.label.push_back(labels[f]);
     result.area.push_back(area);
   }
@@ -73,53 +73,18 @@ inline Label_components label_components(const Indexed_surface& part,
 }
 
 // The length of the edges between faces with `label` and others.
-inline double border_length(const Indexed_surface& part,
+inline double border_length(const Indexed_surface& surface,
                             const std::vector<Indexed_surface::Index>& labels,
                             Indexed_surface::Index label)
 {
   using Index = Indexed_surface::Index;
   double length = 0;
-  for (Index f = 0; f < part.number_of_faces(); ++f)
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
     if (labels[f] == label)
-      for (Index c = part.first_corner(f); c < part.first_corner(f + 1); ++c)
-        if (part.neighbor(c) != Indexed_surface::no_face() && labels[part.neighbor(c)] != label)
-          length += part.edge_length(f, c);
+      for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
+        if (surface.neighbor(c) != Indexed_surface::no_face() && labels[surface.neighbor(c)] != label)
+          length += surface.edge_length(f, c);
   return length;
-}
-
-// Step 4 of Section III.A: gives `label` to the faces connected to `tip` for which `is_near(face)` holds, out
-// of the connected set of faces that have the label of `tip`. Where this leaves that set in several pieces,
-// the piece of largest area keeps the old label (the one with the lowest face among equals) and the others,
-// islands behind the protrusion, go with it; so both labels are connected. Returns the area of `label`.
-template <typename IsNear>
-double cut_off_protrusion(const Indexed_surface& part,
-                          std::vector<Indexed_surface::Index>& labels,
-                          Indexed_surface::Index tip,
-                          IsNear is_near,
-                          Indexed_surface::Index label)
-{
-  using Index = Indexed_surface::Index;
-  const Index body = labels[tip];
-  const std::vector<Index> protrusion = connected_faces(
-    part, tip, [&](Index f) { return labels[f] == body && is_near(f); },
-    [&](Index f) { labels[f] = label; });
-  double area = 0;
-  for (Index f : protrusion)
-    area += part.area(f);
-
-  const Label_components components = label_components(part, labels);
-  Index rest = Indexed_surface::no_face();
-  for (Index c = 0; c < components.label.size(); ++c)
-    if (components.label[c] == body &&
-        (rest == Indexed_surface::no_face() || components.area[c] > components.area[rest]))
-      rest = c;
-  for (Index f = 0; f < part.number_of_faces(); ++f)
-    if (labels[f] == body && components.component[f] != rest)
-    {
-      labels[f] = label;
-      area += part.area(f);
-    }
-  return area;
 }
 
 } // namespace internal

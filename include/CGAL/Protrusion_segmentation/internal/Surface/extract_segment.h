@@ -90,9 +90,9 @@ private:
 // A segment as a surface of its own.
 struct Extracted_segment
 {
-  Indexed_surface part;
-  std::vector<Indexed_surface::Index> faces; // the face of the whole surface for every face of the part
-  std::vector<bool> is_on_cut;            // whether a face of the part lost a neighbour
+  Indexed_surface surface;
+  std::vector<Indexed_surface::Index> faces; // the face of the whole surface for every face of the segment
+  std::vector<bool> is_on_cut;               // whether a face of the segment lost a neighbour
 };
 
 // Cuts segments out of a surface.
@@ -103,12 +103,12 @@ public:
 
   explicit Segment_extractor(const Indexed_surface& surface) : m_select(surface) {}
 
-  // The part with the given faces, numbered in the given order.
+  // The segment with the given faces, numbered in the given order.
   Extracted_segment operator()(std::vector<Index> faces)
   {
     std::vector<bool> is_on_cut(faces.size(), false);
     Surface_arrays arrays = m_select(faces, [&is_on_cut](Index i) { is_on_cut[i] = true; });
-    return {std::move(arrays).to_part(), std::move(faces), std::move(is_on_cut)};
+    return {std::move(arrays).to_surface(), std::move(faces), std::move(is_on_cut)};
   }
 
 private:

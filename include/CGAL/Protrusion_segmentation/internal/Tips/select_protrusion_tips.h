@@ -6,35 +6,16 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_TIPS_SELECT_PROTRUSION_TIPS_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
-
-template <typename Distances, typename = void>
-struct Has_face_of_largest_sum : std::false_type {};
-
-template <typename Distances>
-struct Has_face_of_largest_sum<
-  Distances, std::void_t<decltype(std::declval<Distances&>().face_of_largest_sum())>> : std::true_type {};
-
-// Eq. (1): by the distance's own way if it has one, else from all pairs.
-template <typename Distances>
-Indexed_surface::Index first_protrusion_tip(const Indexed_surface& part, Distances& distances)
-{
-  if constexpr (Has_face_of_largest_sum<Distances>::value)
-    return distances.face_of_largest_sum();
-  else
-    return largest_distance_sum_of_all_pairs(part, distances);
-}
 
 struct Tip_selection
 {
@@ -47,17 +28,17 @@ struct Tip_selection
 // that a surface without plausible tips comes to an end, `count` eliminations end the selection.
 // `visit(tip, distances from the tip)` is called for every tip, eliminated or not: one distance computation
 // serves the selection and the histograms.
-template <typename Distances, typename Plausible, typename Visit>
-Tip_selection select_protrusion_tips(const Indexed_surface& part,
-                                     Distances& distances,
+template <typename Plausible, typename Visit>
+Tip_selection select_protrusion_tips(const Indexed_surface& surface,
+                                     Distances_on_surface& distances,
                                      std::size_t count,
                                      Plausible is_plausible,
                                      Visit visit)
 {
   using Index = Indexed_surface::Index;
   Tip_selection selection;
-  Index face = count > 0 ? first_protrusion_tip(part, distances) : 0;
-  std::vector<double> to_nearest_tip(part.number_of_faces(), (std::numeric_limits<double>::max)());
+  Index face = count > 0 ? distances.face_of_largest_sum() : 0;
+  std::vector<double> to_nearest_tip(surface.number_of_faces(), (std::numeric_limits<double>::max)());
   std::vector<double> from_tip;
   while (selection.tips.size() < count)
   {
@@ -67,7 +48,7 @@ Tip_selection select_protrusion_tips(const Indexed_surface& part,
       selection.tips.push_back(face);
     else if (++selection.number_of_eliminated == count)
       break;
-    for (Index f = 0; f < part.number_of_faces(); ++f)
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
       to_nearest_tip[f] = (std::min)(to_nearest_tip[f], from_tip[f]);
     face = static_cast<Index>(std::max_element(to_nearest_tip.begin(), to_nearest_tip.end()) -
                               to_nearest_tip.begin());
@@ -75,6 +56,18 @@ Tip_selection select_protrusion_tips(const Indexed_surface& part,
       break;
   }
   return selection;
+}
+
+// The same where every face is plausible and nobody looks at the distances.
+inline std::vector<Indexed_surface::Index> select_protrusion_tips(const Indexed_surface& surface,
+                                                                  Distances_on_surface& distances,
+                                                                  std::size_t count)
+{
+  using Index = Indexed_surface::Index;
+  return select_protrusion_tips(
+           surface, distances, count, [](Index) { return true; },
+           [](Index, const std::vector<double>&) {})
+    .tips;
 }
 
 } // namespace internal

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_READ_SURFACE_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_READ_SURFACE_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_READ_SURFACE_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_READ_SURFACE_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
@@ -34,12 +34,6 @@ struct Arrays_of_mesh
   Surface_arrays surface;
   double unit = 1;
 };
-struct Surface_of_mesh
-{
-  Indexed_surface surface;
-  double unit = 1;
-};
-
 // Moves the box of the points to the origin and scales it by a power of two to [-1, 1]^3; returns the
 // factor back. A power of two changes no digit, so that a mesh scaled by two gives the same numbers.
 // The first scaling keeps the subtraction of coordinates near the largest double from overflowing. Only there
@@ -116,7 +110,7 @@ typename boost::graph_traits<FaceGraph>::halfedge_descriptor first_halfedge(
 
 // Reads the index arrays of a mesh: faces in the order of `faces(mesh)`. Linear time.
 template <typename FaceGraph, typename NamedParameters>
-Arrays_of_mesh read_arrays(const FaceGraph& mesh, const NamedParameters& np)
+Arrays_of_mesh read_surface(const FaceGraph& mesh, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -160,16 +154,8 @@ Arrays_of_mesh read_arrays(const FaceGraph& mesh, const NamedParameters& np)
   return result;
 }
 
-// A mesh as a surface, faces in the order of `faces(mesh)`. Linear time.
-template <typename FaceGraph, typename NamedParameters>
-Surface_of_mesh read_surface(const FaceGraph& mesh, const NamedParameters& np)
-{
-  Arrays_of_mesh arrays = read_arrays(mesh, np);
-  return {std::move(arrays.surface).to_part(), arrays.unit};
-}
-
 } // namespace internal
 } // namespace Protrusion_segmentation
 } // namespace CGAL
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_READ_SURFACE_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_READ_SURFACE_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_EXECUTION_H
+#define CGAL_PROTRUSION_SEGMENTATION_EXECUTION_H
+
+#include <CGAL/Protrusion_segmentation/internal/Execution/Observer.h>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+How a call of a function of this package is executed: what a model of `ProtrusionDistance` is told by it.
+One object serves all of a call.
+*/
+class Execution
+{
+public:
+  /// makes an execution of its own, to use a distance outside of a segmentation: nobody stops it.
+  /// \param random_seed the seed of all that is random
+  /// \param is_parallel whether several threads may be used
+  explicit Execution(unsigned int random_seed = 0, bool is_parallel = false)
+    : Execution(m_silent_observer, random_seed, is_parallel)
+  {}
+  Execution(const Execution&) = delete;
+  Execution& operator=(const Execution&) = delete;
+
+  /// \return the seed of all that is random; equal seeds give equal results
+  unsigned int random_seed() const { return m_random_seed; }
+  /// \return whether several threads may be used, by oneTBB
+  bool is_parallel() const { return m_is_parallel; }
+
+  /// is to be called several times a second, from any thread: it ends the call by an exception of no
+  /// documented type, which must be let through, if the visitor wants so.
+  void check()
+  {
+    if (!is_own_thread()) // visitors are asked from the thread of the call only
+    {
+      if (m_is_cancelled)
+        throw internal::Cancelled();
+    }
+    else if (!m_observer.go_further())
+    {
+      m_is_cancelled = true;
+      throw internal::Cancelled();
+    }
+  }
+
+  /// tells how far the work is that was begun last, such as the preparation of a distance. Then `check()`.
+  /// \param share from 0 to 1
+  void progress(double share)
+  {
+    if (is_own_thread())
+    {
+      const double clamped = (std::min)((std::max)(share, 0.), 1.);
+      m_share = (std::max)(m_share, m_begin + clamped * (m_end - m_begin));
+      m_observer.progress(m_share);
+    }
+    check();
+  }
+
+#ifndef DOXYGEN_RUNNING
+  Execution(internal::Observer& observer, unsigned int random_seed, bool is_parallel)
+    : m_observer(observer), m_random_seed(random_seed), m_is_parallel(is_parallel)
+  {}
+
+  internal::Observer& observer() { return m_observer; }
+
+  // While it lives, progress from 0 to 1 is one from `begin` to `end` of the work begun before.
+  class Subtask
+  {
+  public:
+    Subtask(Execution& execution, double begin, double end)
+      : m_execution(execution), m_begin(execution.m_begin), m_end(execution.m_end)
+    {
+      const double length = m_end - m_begin;
+      execution.m_begin = m_begin + begin * length;
+      execution.m_end = m_begin + end * length;
+    }
+    ~Subtask()
+    {
+      m_execution.m_begin = m_begin;
+      m_execution.m_end = m_end;
+    }
+    Subtask(const Subtask&) = delete;
+    Subtask& operator=(const Subtask&) = delete;
+
+  private:
+    Execution& m_execution;
+    double m_begin, m_end;
+  };
+#endif
+
+private:
+  bool is_own_thread() const { return std::this_thread::get_id() == m_thread; }
+
+  internal::Observer m_silent_observer;
+  internal::Observer& m_observer;
+  unsigned int m_random_seed;
+  bool m_is_parallel;
+  std::thread::id m_thread = std::this_thread::get_id();
+  std::atomic<bool> m_is_cancelled{false};
+  double m_begin = 0, m_end = 1, m_share = 0; // of the work begun last, of the whole
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_EXECUTION_H

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_H
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_clues.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/level_set_cuts.h>
+
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A cut of a segment in two connected sides.
+struct Cut
+{
+  Graph_partition::Nodes inner; // the side of smaller area
+  double value = 0;             // higher is better, below 0 it separates what belongs together
+  double probability = 0;       // that people would cut there
+};
+
+// Values a cut: how much better a segmentation becomes by it. That is about the number of pairs of points on
+// different sides, times the probability that they belong apart less the one that they belong together. The root
+// keeps the largest segments from being cut for their size alone. Minus infinity if a side is too small to be a
+// segment. `cut.inner` is marked.
+inline void value_cut(Graph_partition& partition,
+                      Weighted_dual_graph::Index segment,
+                      double segment_area,
+                      const Cut_policy& policy,
+                      Cut& cut)
+{
+  const double area = partition.area(cut.inner);
+  cut.value = -(std::numeric_limits<double>::infinity)();
+  if (!is_large_enough(area, segment_area))
+    return;
+  cut.probability = policy.probability(clues_of_cut(partition, segment, cut.inner, segment_area));
+  cut.value = (2 * cut.probability - 1) * std::sqrt(area * (segment_area - area));
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_H

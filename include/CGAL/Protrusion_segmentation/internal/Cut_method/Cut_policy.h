@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_POLICY_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_POLICY_H
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_clues.h>
+
+#include <cmath>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// What a cut costs and what it is worth: the decisions of the method, in one place. The quality benchmark
+// overrides single ones to measure what they bring.
+//
+// The constants were chosen on half of the development models of the Princeton benchmark; lengths are in units
+// of the square root of the area of the surface.
+class Cut_policy
+{
+public:
+  virtual ~Cut_policy() = default;
+
+  // What a cut costs along an edge. One along a seam of concave curvature c costs
+  // least + (1 - least) exp(-decay c) per unit of length; all three constants lie on plateaus.
+  virtual double cost(double border_length, double curvature) const
+  {
+    constexpr double least_cost = 0.02;
+    constexpr double cost_decay = 0.1;
+    constexpr double convex_share = 0.2; // a ridge is a better border than a flat place, but not by much
+    const double strength = curvature > 0 ? curvature : -curvature * convex_share;
+    return border_length * (least_cost + (1 - least_cost) * std::exp(-cost_decay * strength));
+  }
+
+  // By how much one radian of concave angle lengthens an arc. Between .15 and .4 the result is the same, but the
+  // candidates get better.
+  virtual double length_of_angle() const { return 0.4; }
+
+  // Of a level set and the minimum cut near it, the cheaper one, by their relative costs.
+  virtual bool prefers_minimum_cut(double cost_of_level_set, double cost_of_minimum_cut) const
+  {
+    return cost_of_minimum_cut < cost_of_level_set;
+  }
+
+  // Whether a border becomes a minimum cut once more when it gets to the faces.
+  virtual bool moves_borders_on_faces() const { return true; }
+
+  // The probability that two points on different sides of a cut lie in different segments when people segment
+  // the surface: a logistic function of the clues. Short cuts in concave seams behind which one side widens
+  // suddenly and the other does not are good; large segments are divided rather than small ones. The weights
+  // come from a regression over the candidate cuts, rounded; changes by a tenth hardly matter.
+  virtual double probability(const Cut_clues& clues) const
+  {
+    constexpr double bias = -0.7;
+    constexpr double concave_share_weight = 5;
+    constexpr double relative_length_weight = -2.5;
+    constexpr double segment_size_weight = 1.3;
+    constexpr double larger_widening_weight = 2;
+    constexpr double smaller_widening_weight = -1;
+    return 1 / (1 + std::exp(-(bias + concave_share_weight * clues.concave_share +
+                               relative_length_weight * clues.relative_length +
+                               segment_size_weight * clues.segment_size +
+                               larger_widening_weight * clues.larger_widening +
+                               smaller_widening_weight * clues.smaller_widening)));
+  }
+};
+
+inline const Cut_policy& default_cut_policy()
+{
+  static const Cut_policy policy;
+  return policy;
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_POLICY_H

@@ -1,0 +1,65 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_WRITE_SEGMENTS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_WRITE_SEGMENTS_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/properties.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Writes the segment of every face; `labels` are in the order of the mesh.
+template <typename FaceGraph, typename SegmentMap>
+void write_segments(const FaceGraph& mesh,
+                    const std::vector<Indexed_surface::Index>& labels,
+                    SegmentMap& segment_ids)
+{
+  using Id = typename boost::property_traits<SegmentMap>::value_type;
+  std::size_t i = 0;
+  for (const auto f : faces(mesh))
+    put(segment_ids, f, static_cast<Id>(labels[i++]));
+}
+
+// Marks the edges between different segments, if the caller wants them.
+template <typename FaceGraph, typename NamedParameters>
+void write_borders(const FaceGraph& mesh,
+                   const std::vector<Indexed_surface::Index>& labels,
+                   const NamedParameters& np)
+{
+  using No_map = std::is_same<
+    typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, NamedParameters,
+                                                 internal_np::Param_not_found>::type,
+    internal_np::Param_not_found>;
+  if constexpr (!No_map::value)
+  {
+    auto borders = parameters::get_parameter(np, internal_np::edge_is_constrained);
+    auto label = get(CGAL::dynamic_face_property_t<Indexed_surface::Index>(), mesh);
+    write_segments(mesh, labels, label);
+    const auto null_face = boost::graph_traits<FaceGraph>::null_face();
+    for (const auto e : edges(mesh))
+    {
+      const auto f = face(halfedge(e, mesh), mesh);
+      const auto g = face(opposite(halfedge(e, mesh), mesh), mesh);
+      put(borders, e, f != null_face && g != null_face && get(label, f) != get(label, g));
+    }
+  }
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_WRITE_SEGMENTS_H
