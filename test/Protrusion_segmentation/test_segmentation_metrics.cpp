@@ -88,27 +88,6 @@ void test_areas_by_hand()
   CHECK_CLOSE(m.cut_discrepancy.value(), 3 / radius, exact);
 }
 
-void test_area_and_centroid_of_polygons()
-{
-  using CGAL::Protrusion_segmentation::internal::area_and_centroid;
-  // an L: unit squares at (0,0), (1,0), (0,1), one corner of it reflex
-  const std::vector<Point> l_shape = {Point(0, 1, 5), Point(0, 0, 5), Point(2, 0, 5),
-                                      Point(2, 1, 5), Point(1, 1, 5), Point(1, 2, 5),
-                                      Point(0, 2, 5)};
-  for(std::size_t first = 0; first < l_shape.size(); ++first)
-  {
-    std::vector<Point> corners = l_shape;
-    std::rotate(corners.begin(), corners.begin() + std::ptrdiff_t(first), corners.end());
-    const auto result = area_and_centroid(corners);
-    CHECK_CLOSE(result.area, 3, exact);
-    CHECK_CLOSE(std::sqrt(CGAL::squared_distance(result.centroid, Point(5 / 6., 5 / 6., 5))), 0,
-                exact);
-  }
-  const auto degenerate = area_and_centroid({Point(0, 0, 0), Point(1, 0, 0), Point(5, 0, 0)});
-  CHECK_EQUAL(degenerate.area, 0);
-  CHECK_CLOSE(degenerate.centroid.x(), 2, exact);
-}
-
 void test_same_segmentation_up_to_ids()
 {
   const Mesh mesh = icosahedron();
@@ -274,7 +253,6 @@ int main()
 {
   test_strip_by_hand();
   test_areas_by_hand();
-  test_area_and_centroid_of_polygons();
   test_same_segmentation_up_to_ids();
   test_exchange();
   test_one_segment();
