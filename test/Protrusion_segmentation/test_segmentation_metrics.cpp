@@ -11,7 +11,6 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Polyhedron_items_with_id_3.h>
-#include <CGAL/Protrusion_segmentation/internal/Metrics/rand_index_error_of_benchmark.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 
@@ -89,25 +88,6 @@ void test_areas_by_hand()
   // the surface (5/2, 11/24)
   const double radius = (2 * 0.5 * std::hypot(11 / 6., 1 / 8.) + 3 * (1 / 24.)) / 4;
   CHECK_CLOSE(m.cut_discrepancy.value(), 3 / radius, exact);
-}
-
-// The benchmark's program divides by n * floor((n - 1) / 2).
-void test_rand_index_error_of_benchmark()
-{
-  const auto converted = [](const Labels& a, const Labels& b)
-  {
-    const double error = metrics_of(strip_of_squares(a.size()), a, b).rand_index_error;
-    return CGAL::Protrusion_segmentation::internal::rand_index_error_of_benchmark(error, a.size());
-  };
-  CHECK_CLOSE(converted({0, 1, 1, 1}, {0, 0, 1, 1}), 3 / (4 * 1.), exact);
-  CHECK_CLOSE(converted({0, 0, 0, 1, 1, 1}, {0, 0, 0, 0, 0, 0}), 9 / (6 * 2.), exact);
-  CHECK_CLOSE(converted({0, 1, 1}, {0, 0, 1}), 2 / (3 * 1.), exact);
-  CHECK_CLOSE(converted({0, 0, 1, 1, 1}, {0, 0, 0, 0, 0}), 6 / (5 * 2.), exact);
-  CHECK_EQUAL(converted({0, 1, 2, 3}, {0, 0, 0, 0}), 1); // 6 / 4, cut
-  CHECK_EQUAL(converted({0, 1, 2, 3}, {0, 1, 2, 3}), 0);
-  CHECK_EQUAL(converted({0, 1}, {0, 0}), 1); // one pair, though floor(1 / 2) is 0
-  CHECK_EQUAL(converted({0}, {0}), 0);
-  CHECK_EQUAL(converted({}, {}), 0);
 }
 
 // What fails to compile with one line, and what is accepted.
@@ -292,7 +272,6 @@ int main()
 {
   test_strip_by_hand();
   test_areas_by_hand();
-  test_rand_index_error_of_benchmark();
   test_kinds_of_segment_id_maps();
   test_same_segmentation_up_to_ids();
   test_exchange();
