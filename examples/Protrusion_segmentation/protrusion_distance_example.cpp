@@ -98,7 +98,7 @@ int main(int argc, char* argv[])
   const std::size_t n = CGAL::segmentation_via_protrusion_tips(mesh, own, k, Bent_distance(), border);
 
   // Segments may be numbered differently, so it is pairs of faces that are compared.
-  std::cout << n << " segments, and for a share of " << CGAL::rand_index_error(mesh, usual, own)
+  std::cout << n << " segments, and for a share of " << CGAL::segmentation_rand_index_error(mesh, usual, own)
             << " of all pairs of faces the distances disagree whether they belong together\n";
   return CGAL::IO::write_SEG(argv[2], mesh, own) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

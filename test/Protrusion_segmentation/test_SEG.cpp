@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Reading and writing `.seg` files.
@@ -35,8 +37,8 @@ constexpr int untouched = 77;
 Mesh tetrahedron()
 {
   Mesh mesh;
-  CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0),
-                         Kernel::Point_3(0, 1, 0), Kernel::Point_3(0, 0, 1), mesh);
+  CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0),
+                         Kernel::Point_3(0, 0, 1), mesh);
   return mesh;
 }
 
@@ -50,7 +52,7 @@ template <typename Id>
 std::vector<Id> values(const Mesh& mesh, Id_map<Id> ids)
 {
   std::vector<Id> result;
-  for(const Face f : faces(mesh))
+  for (const Face f : faces(mesh))
     result.push_back(get(ids, f));
   return result;
 }
@@ -76,8 +78,7 @@ void check_rejected(const std::string& text, const std::string& cause)
   CHECK(values(mesh, ids) == std::vector<Id>(4, Id(untouched)));
 
   std::istringstream again(text);
-  const std::string told =
-    CGAL::Protrusion_segmentation::internal::read_segments(again, mesh, ids);
+  const std::string told = CGAL::Protrusion_segmentation::internal::read_segments(again, mesh, ids);
   CHECK(told.find(cause) != std::string::npos);
   CHECK_EQUAL(std::string(told.begin(), told.end()).find('\n'), std::string::npos);
 }
@@ -152,8 +153,8 @@ void test_verbose_tells_the_cause()
 struct Scratch_folder
 {
   Scratch_folder()
-    : path(fs::temp_directory_path() / ("protrusion_segmentation_test_SEG_"
-                                        + std::to_string(std::random_device()())))
+    : path(fs::temp_directory_path() /
+           ("protrusion_segmentation_test_SEG_" + std::to_string(std::random_device()())))
   {
     fs::create_directories(path);
   }
@@ -180,7 +181,7 @@ void test_files()
   Mesh mesh = tetrahedron();
   const auto ids = new_ids<std::size_t>(mesh);
   std::size_t next = 3;
-  for(const Face f : faces(mesh))
+  for (const Face f : faces(mesh))
     put(ids, f, next *= 10);
 
   CHECK(CGAL::IO::write_SEG(name, mesh, ids));
@@ -251,8 +252,8 @@ void test_polyhedron_with_associative_map()
 {
   using Polyhedron = CGAL::Polyhedron_3<Kernel>;
   Polyhedron mesh;
-  CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0),
-                         Kernel::Point_3(0, 1, 0), Kernel::Point_3(0, 0, 1), mesh);
+  CGAL::make_tetrahedron(Kernel::Point_3(0, 0, 0), Kernel::Point_3(1, 0, 0), Kernel::Point_3(0, 1, 0),
+                         Kernel::Point_3(0, 0, 1), mesh);
   std::map<boost::graph_traits<Polyhedron>::face_descriptor, std::size_t> ids;
   std::istringstream in("1\n2\n3\n4\n");
   CHECK(CGAL::IO::read_SEG(in, mesh, boost::make_assoc_property_map(ids)));

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Compares the metrics to scores that the program of the Princeton Segmentation Benchmark computed
@@ -12,6 +14,7 @@
 #include "check.h"
 
 #include <CGAL/IO/SEG.h>
+#include <CGAL/Protrusion_segmentation/internal/Metrics/rand_index_error_of_benchmark.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -68,7 +71,7 @@ Row parsed_row(const std::string& line)
   std::getline(in, row.model, ',');
   std::getline(in, row.segmentation, ',');
   std::getline(in, row.reference, ',');
-  for(std::string score; std::getline(in, score, ','); )
+  for (std::string score; std::getline(in, score, ',');)
     row.scores.push_back(std::stod(score));
   return row;
 }
@@ -81,7 +84,7 @@ std::map<std::string, std::vector<Row>> rows_by_model(const std::string& file_na
   check_header(without_carriage_return(line));
 
   std::map<std::string, std::vector<Row>> result;
-  while(std::getline(in, line))
+  while (std::getline(in, line))
   {
     const Row row = parsed_row(without_carriage_return(line));
     result[row.model].push_back(row);
@@ -89,20 +92,25 @@ std::map<std::string, std::vector<Row>> rows_by_model(const std::string& file_na
   return result;
 }
 
-std::vector<double> scores(const Mesh& mesh, Segment_id_map segment_ids,
-                           Segment_id_map reference_ids)
+std::vector<double> scores(const Mesh& mesh, Segment_id_map segment_ids, Segment_id_map reference_ids)
 {
   const auto metrics = CGAL::segmentation_metrics(mesh, segment_ids, reference_ids);
   const auto& consistency = metrics.consistency_error;
   const auto& hamming = metrics.hamming_distance;
-  return {consistency.global, consistency.local,
+  const double rand_index_error =
+    CGAL::Protrusion_segmentation::internal::rand_index_error_of_benchmark(metrics.rand_index_error,
+                                                                           mesh.number_of_faces());
+  return {consistency.global,         consistency.local,
           consistency.global_by_area, consistency.local_by_area,
-          hamming.distance, hamming.missing_rate, hamming.false_alarm_rate,
-          metrics.cut_discrepancy.value_or(undefined), metrics.rand_index_error};
+          hamming.distance,           hamming.missing_rate,
+          hamming.false_alarm_rate,   metrics.cut_discrepancy.value_or(undefined),
+          rand_index_error};
 }
 
-Segment_id_map segmentation(const std::string& folder, const std::string& model,
-                            const std::string& human, Mesh& mesh)
+Segment_id_map segmentation(const std::string& folder,
+                            const std::string& model,
+                            const std::string& human,
+                            Mesh& mesh)
 {
   const std::string name = folder + "/seg/" + model + "/" + model + "_" + human + ".seg";
   Segment_id_map segment_ids = mesh.add_property_map<Face, std::size_t>("f:" + human, 0).first;
@@ -112,7 +120,7 @@ Segment_id_map segmentation(const std::string& folder, const std::string& model,
 
 void check_score(double computed, double expected)
 {
-  if(std::isnan(expected))
+  if (std::isnan(expected))
     CHECK(std::isnan(computed));
   else
     CHECK_CLOSE(computed, expected, tolerance);
@@ -122,13 +130,12 @@ void check_model(const std::string& folder, const std::string& model, const std:
 {
   Mesh mesh;
   CHECK(CGAL::IO::read_polygon_mesh(folder + "/off/" + model + ".off", mesh));
-  for(const Row& row : rows)
+  for (const Row& row : rows)
   {
-    const std::vector<double> computed =
-      scores(mesh, segmentation(folder, model, row.segmentation, mesh),
-             segmentation(folder, model, row.reference, mesh));
+    const std::vector<double> computed = scores(mesh, segmentation(folder, model, row.segmentation, mesh),
+                                                segmentation(folder, model, row.reference, mesh));
     CHECK_EQUAL(computed.size(), row.scores.size());
-    for(std::size_t i = 0; i < (std::min)(computed.size(), row.scores.size()); ++i)
+    for (std::size_t i = 0; i < (std::min)(computed.size(), row.scores.size()); ++i)
       check_score(computed[i], row.scores[i]);
   }
 }
@@ -137,14 +144,14 @@ int main()
 {
   const char* folder = std::getenv("PRINCETON_FOLDER");
   const char* reference_scores = std::getenv("PRINCETON_REFERENCE_SCORES");
-  if(folder == nullptr || reference_scores == nullptr)
+  if (folder == nullptr || reference_scores == nullptr)
   {
     std::cout << "skipped: PRINCETON_FOLDER and PRINCETON_REFERENCE_SCORES are not set\n";
     return exit_code_of_a_skipped_test;
   }
 
   std::size_t number_of_rows = 0;
-  for(const auto& [model, rows] : rows_by_model(reference_scores))
+  for (const auto& [model, rows] : rows_by_model(reference_scores))
   {
     check_model(folder, model, rows);
     number_of_rows += rows.size();

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Shortest paths over the faces of a mesh, for the peers: with arcs as long as they need them.
@@ -35,8 +37,9 @@ public:
   std::vector<std::size_t> farthest_points(std::size_t first, std::size_t number) const;
 
 private:
-  using Graph = boost::compressed_sparse_row_graph<
-    boost::directedS, boost::no_property, boost::property<boost::edge_weight_t, double>>;
+  using Graph = boost::compressed_sparse_row_graph<boost::directedS,
+                                                   boost::no_property,
+                                                   boost::property<boost::edge_weight_t, double>>;
   using Weighted_face = std::pair<double, std::size_t>;
   // Called when the final distance of a face is known, with the face it was reached from.
   using Settled = std::function<void(std::size_t face, std::size_t from)>;

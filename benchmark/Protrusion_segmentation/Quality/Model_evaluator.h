@@ -1,8 +1,11 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Scores of segmentations of one model against those of humans. The same values as
-// `CGAL::segmentation_metrics()`, but what depends on a single segmentation is computed once, not
-// for each pair: a model has a dozen human segmentations, and humans are compared to each other.
+// `CGAL::segmentation_metrics()`, but for the Rand index error, which is the one of the benchmark's program.
+// What depends on a single segmentation is computed once, not for each pair: a model has a dozen human
+// segmentations, and humans are compared to each other.
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_MODEL_EVALUATOR_H
 #define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_MODEL_EVALUATOR_H
@@ -10,6 +13,7 @@
 #include "Benchmark_folder.h"
 #include "Scores.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Metrics/Segment_overlap.h>
 #include <CGAL/segmentation_metrics.h>
 
 #include <optional>
@@ -40,8 +44,11 @@ private:
   };
 
   Segmentation prepared(const Labels& labels) const;
-  CGAL::Protrusion_segmentation::Segmentation_metrics
-  metrics(const Segmentation& segmentation, const Segmentation& reference) const;
+  CGAL::Protrusion_segmentation::internal::Segment_overlap overlap_of(const Segmentation& a,
+                                                                      const Segmentation& b) const;
+  double rand_index_error(const CGAL::Protrusion_segmentation::internal::Segment_overlap& overlap) const;
+  CGAL::Protrusion_segmentation::Segmentation_metrics metrics(const Segmentation& segmentation,
+                                                              const Segmentation& reference) const;
 
   const Model& m_model;
   std::vector<double> m_face_areas;

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The figures of one segmentation, one model, one class, or all; and means of them.
@@ -27,8 +29,8 @@ enum class Score : std::size_t
 constexpr std::size_t number_of_scores = 9;
 
 // Headings of tables and of CSV columns, in the order of `Score`.
-constexpr std::array<const char*, number_of_scores> score_names =
-  {"RI", "HD", "Rm", "Rf", "CD", "GCE", "LCE", "segments", "seconds"};
+constexpr std::array<const char*, number_of_scores> score_names = {
+  "RI", "HD", "Rm", "Rf", "CD", "GCE", "LCE", "segments", "seconds"};
 
 class Scores
 {
@@ -46,13 +48,10 @@ public:
                metrics.consistency_error.local_by_area,
                double(number_of_segments),
                std::nullopt}
-  { }
+  {}
 
   std::optional<double>& operator[](Score score) { return m_values[std::size_t(score)]; }
-  const std::optional<double>& operator[](Score score) const
-  {
-    return m_values[std::size_t(score)];
-  }
+  const std::optional<double>& operator[](Score score) const { return m_values[std::size_t(score)]; }
 
 private:
   std::array<std::optional<double>, number_of_scores> m_values;
@@ -64,8 +63,8 @@ class Mean_scores
 public:
   void add(const Scores& scores)
   {
-    for(std::size_t i = 0; i < number_of_scores; ++i)
-      if(const std::optional<double>& value = scores[Score(i)])
+    for (std::size_t i = 0; i < number_of_scores; ++i)
+      if (const std::optional<double>& value = scores[Score(i)])
       {
         m_sums[i] += *value;
         ++m_counts[i];
@@ -75,8 +74,8 @@ public:
   Scores value() const
   {
     Scores result;
-    for(std::size_t i = 0; i < number_of_scores; ++i)
-      if(m_counts[i] > 0)
+    for (std::size_t i = 0; i < number_of_scores; ++i)
+      if (m_counts[i] > 0)
         result[Score(i)] = m_sums[i] / double(m_counts[i]);
     return result;
   }

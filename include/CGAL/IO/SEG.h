@@ -1,13 +1,13 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
 //
-// The file format `.seg` of the Princeton Segmentation Benchmark: a text file with one segment id a
-// line, line i for face i.
+// SPDX-License-Identifier: GPL-3.0-or-later
 
 #ifndef CGAL_IO_SEG_H
 #define CGAL_IO_SEG_H
 
 #include <CGAL/Protrusion_segmentation/internal/IO/segment_file.h>
 #include <CGAL/Protrusion_segmentation/internal/IO/write_complete_file.h>
+#include <CGAL/Protrusion_segmentation/internal/Metrics/segment_id_maps.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -19,129 +19,141 @@ namespace CGAL {
 namespace IO {
 
 /*!
- * \defgroup PkgProtrusionSegmentationIO Segmentation Files
- * \ingroup PkgProtrusionSegmentationRef
- *
- * The format `.seg`: line <i>i</i> holds the segment id of the <i>i</i>-th face in the order of
- * `faces(mesh)`, which is that of the mesh file where `mesh` was read from one. An id is a decimal
- * number that is not negative; ids need not be consecutive. Blanks around an id, line ends with a
- * carriage return and blank lines at the end of the file are accepted.
- */
+\ingroup PkgProtrusionSegmentationIO
 
-/*!
- * \ingroup PkgProtrusionSegmentationIO
- *
- * reads the segment ids of the faces of `mesh` from a stream, up to its end.
- *
- * \tparam FaceGraph a model of `FaceListGraph`
- * \tparam SegmentIdMap a model of `WritablePropertyMap` with
- *         `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and any integral type as
- *         value type
- * \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
- *
- * \param is the input stream
- * \param mesh the mesh
- * \param segment_ids is filled with the segment ids
- * \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones
- *        listed below
- *
- * \cgalNamedParamsBegin
- *   \cgalParamNBegin{verbose}
- *     \cgalParamDescription{whether the cause of a failure is printed to `std::cerr`}
- *     \cgalParamType{Boolean}
- *     \cgalParamDefault{`false`}
- *   \cgalParamNEnd
- * \cgalNamedParamsEnd
- *
- * \return `true` if there is exactly one id for each face and each fits the value type. Otherwise
- *         `segment_ids` is left as it was: too few or too many ids, a negative one, one too large,
- *         or anything that is not an id.
- */
-template <typename FaceGraph, typename SegmentIdMap,
+reads the segment ids of the faces of `mesh` from a stream, up to its end.
+
+\tparam FaceGraph a model of `FaceListGraph`
+\tparam SegmentIdMap a model of `WritablePropertyMap` with
+                     `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and any integral type as
+                     value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param is the input stream
+\param mesh the mesh
+\param segment_ids is filled with the segment ids, from 0 to the largest number of its value type
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{verbose}
+    \cgalParamDescription{whether the cause of a failure is printed to `std::cerr`}
+    \cgalParamType{Boolean}
+    \cgalParamDefault{`false`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return `true` if there is exactly one id for each face and each fits the value type. Otherwise `segment_ids`
+        is left as it was: too few or too many ids, a negative one, one too large, or anything that is not an
+        id. That throws nothing.
+
+Complexity: linear in the length of the input.
+*/
+template <typename FaceGraph,
+          typename SegmentIdMap,
           typename NamedParameters = parameters::Default_named_parameters>
 bool read_SEG(std::istream& is,
               const FaceGraph& mesh,
               SegmentIdMap segment_ids,
               const NamedParameters& np = parameters::default_values())
 {
-  const std::string problem =
-    Protrusion_segmentation::internal::read_segments(is, mesh, segment_ids);
-  if(!problem.empty()
-     && parameters::choose_parameter(parameters::get_parameter(np, internal_np::verbose), false))
-    std::cerr << "Error: cannot read the segmentation: " << problem << std::endl;
-  return problem.empty();
+  namespace internal = Protrusion_segmentation::internal;
+
+  if constexpr (internal::Check_writable_segment_ids<FaceGraph, SegmentIdMap>::value)
+  {
+    const std::string problem = internal::read_segments(is, mesh, segment_ids);
+    internal::report_problem(
+      "cannot read the segmentation", problem,
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::verbose), false));
+    return problem.empty();
+  }
+  else
+    return false;
 }
 
 /*!
- * \ingroup PkgProtrusionSegmentationIO
- *
- * reads the segment ids of the faces of `mesh` from a file.
- *
- * \param fname the name of the file
- * \param mesh, segment_ids, np as for the function for streams
- *
- * \return as for the function for streams
- */
-template <typename FaceGraph, typename SegmentIdMap,
+\ingroup PkgProtrusionSegmentationIO
+
+reads the segment ids of the faces of `mesh` from a file.
+
+\param fname the name of the file
+\param mesh, segment_ids, np as for the function for streams
+
+\return as for the function for streams; `false` also if the file cannot be opened
+*/
+template <typename FaceGraph,
+          typename SegmentIdMap,
           typename NamedParameters = parameters::Default_named_parameters>
 bool read_SEG(const std::string& fname,
               const FaceGraph& mesh,
               SegmentIdMap segment_ids,
               const NamedParameters& np = parameters::default_values())
 {
-  const std::string problem =
-    Protrusion_segmentation::internal::read_segments(fname, mesh, segment_ids);
-  if(!problem.empty()
-     && parameters::choose_parameter(parameters::get_parameter(np, internal_np::verbose), false))
-    std::cerr << "Error: cannot read " << fname << ": " << problem << std::endl;
-  return problem.empty();
+  namespace internal = Protrusion_segmentation::internal;
+
+  if constexpr (internal::Check_writable_segment_ids<FaceGraph, SegmentIdMap>::value)
+  {
+    const std::string problem = internal::read_segments(fname, mesh, segment_ids);
+    internal::report_problem(
+      "cannot read " + fname, problem,
+      parameters::choose_parameter(parameters::get_parameter(np, internal_np::verbose), false));
+    return problem.empty();
+  }
+  else
+    return false;
 }
 
 /*!
- * \ingroup PkgProtrusionSegmentationIO
- *
- * writes the segment ids of the faces of `mesh` to a stream.
- *
- * \tparam FaceGraph a model of `FaceListGraph`
- * \tparam SegmentIdMap a model of `ReadablePropertyMap` with
- *         `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and any integral type as
- *         value type
- *
- * \param os the output stream
- * \param mesh the mesh
- * \param segment_ids the segment ids
- *
- * \return `true` if everything was written; `false` if the stream failed, or, then with nothing
- *         written, if an id is negative
- */
+\ingroup PkgProtrusionSegmentationIO
+
+writes the segment ids of the faces of `mesh` to a stream.
+
+\tparam FaceGraph a model of `FaceListGraph`
+\tparam SegmentIdMap a model of `ReadablePropertyMap` with
+                     `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and any integral type as
+                     value type
+
+\param os the output stream
+\param mesh the mesh
+\param segment_ids the segment ids, none negative
+
+\return `true` if everything was written; `false` if the stream failed, or, then with nothing written, if an id
+        is negative. That throws nothing, unless the stream was told to.
+
+Complexity: linear in the number of faces.
+*/
 template <typename FaceGraph, typename SegmentIdMap>
 bool write_SEG(std::ostream& os, const FaceGraph& mesh, const SegmentIdMap& segment_ids)
 {
-  for(const auto f : faces(mesh))
-    if(get(segment_ids, f) < 0)
-      return false;
-  for(const auto f : faces(mesh))
-    os << std::to_string(get(segment_ids, f)) << '\n';
-  return os.good();
+  if constexpr (Protrusion_segmentation::internal::Check_readable_segment_ids<FaceGraph, SegmentIdMap>::value)
+  {
+    for (const auto f : faces(mesh))
+      if (get(segment_ids, f) < 0)
+        return false;
+    for (const auto f : faces(mesh))
+      os << std::to_string(get(segment_ids, f)) << '\n';
+    return os.good();
+  }
+  else
+    return false;
 }
 
 /*!
- * \ingroup PkgProtrusionSegmentationIO
- *
- * writes the segment ids of the faces of `mesh` to a file, which appears, or is replaced, only when
- * it is complete.
- *
- * \param fname the name of the file
- * \param mesh, segment_ids as for the function for streams
- *
- * \return `true` if everything was written; otherwise a file of this name is left as it was
- */
+\ingroup PkgProtrusionSegmentationIO
+
+writes the segment ids of the faces of `mesh` to a file, which appears, or is replaced, only when it is
+complete.
+
+\param fname the name of the file
+\param mesh, segment_ids as for the function for streams
+
+\return `true` if everything was written; otherwise a file of this name is left as it was
+*/
 template <typename FaceGraph, typename SegmentIdMap>
 bool write_SEG(const std::string& fname, const FaceGraph& mesh, const SegmentIdMap& segment_ids)
 {
   const auto write = [&](std::ostream& os)
   {
-    if(!write_SEG(os, mesh, segment_ids))
+    if (!write_SEG(os, mesh, segment_ids))
       os.setstate(std::ios::failbit);
   };
   return Protrusion_segmentation::internal::write_complete_file(fname, write);

@@ -5,12 +5,13 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INDEXED_SURFACE_H
 #define CGAL_PROTRUSION_SEGMENTATION_INDEXED_SURFACE_H
 
+#include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
+
 #include <CGAL/Simple_cartesian.h>
 
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/range/iterator_range.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -157,38 +158,22 @@ public:
   /// \param face below `number_of_faces()`
   Vector_3 area_vector(Index face) const
   {
-    const Index first = first_corner(face);
-    const Point_3& origin = point(vertex(first));
-    Vector_3 sum(0, 0, 0);
-    for (Index c = first + 1; c + 1 < first_corner(face + 1); ++c)
-      sum += cross_product(point(vertex(c)) - origin, point(vertex(c + 1)) - origin);
-    return sum / 2;
+    return internal::polygon_area_vector(Polygon{*this, face});
   }
 
 private:
-  // The centroid of the fan of triangles around the first corner, each triangle signed by the face normal:
-  // right for every simple planar polygon, convex or not. The mean of the corners where that is far off, as
-  // for folded or crossed polygons, the signs of whose triangles nearly cancel.
-  Point_3 fan_centroid(Index face, const Vector_3& normal, double area) const
+  // the points of a face as a range
+  struct Polygon
   {
-    const Index first = first_corner(face);
-    const Index end = first_corner(face + 1);
-    const Point_3& origin = point(vertex(first));
-    Vector_3 sum(0, 0, 0), moment(0, 0, 0);
-    double reach = 0; // squared: the centroid of a simple polygon is no farther from a corner than another one
-    for (Index c = first + 1; c < end; ++c)
+    const Indexed_surface& surface;
+    Index face;
+
+    std::size_t size() const { return surface.first_corner(face + 1) - surface.first_corner(face); }
+    const Point_3& operator[](std::size_t i) const
     {
-      const Vector_3 v = point(vertex(c)) - origin;
-      const Vector_3 u = point(vertex(c - 1)) - origin;
-      sum += v;
-      moment += (u + v) * ((cross_product(u, v) * normal) / (6 * area * area));
-      reach = (std::max)(reach, v.squared_length());
+      return surface.point(surface.vertex(surface.first_corner(face) + static_cast<Index>(i)));
     }
-    const bool is_polygon = end - first > 3;
-    return origin + (is_polygon && moment.squared_length() <= reach
-                       ? moment
-                       : sum / static_cast<double>(end - first));
-  }
+  };
 
   void measure_faces()
   {
@@ -197,11 +182,10 @@ private:
     m_areas.reserve(n);
     for (Index f = 0; f < n; ++f)
     {
-      const Vector_3 normal = area_vector(f);
-      const double area = std::sqrt(normal.squared_length());
-      m_areas.push_back(area);
-      m_centroids.push_back(fan_centroid(f, normal, area));
-      m_area += area;
+      const internal::Polygon_measures face = internal::measure_polygon(Polygon{*this, f});
+      m_areas.push_back(face.area);
+      m_centroids.push_back(face.centroid);
+      m_area += face.area;
     }
   }
 

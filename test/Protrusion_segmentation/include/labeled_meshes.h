@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Segmentations given as lists of labels, for the tests of the metrics.
@@ -34,7 +36,7 @@ public:
   Face_labels(const FaceGraph& mesh, const Labels& labels)
   {
     std::size_t i = 0;
-    for(const key_type f : faces(mesh))
+    for (const key_type f : faces(mesh))
       m_labels[f] = labels.at(i++);
   }
 
@@ -56,12 +58,12 @@ inline Mesh strip_of_squares(std::size_t n)
 {
   Mesh mesh;
   std::vector<Vertex> lower, upper;
-  for(std::size_t i = 0; i <= n; ++i)
+  for (std::size_t i = 0; i <= n; ++i)
   {
     lower.push_back(mesh.add_vertex(Point(double(i), 0, 0)));
     upper.push_back(mesh.add_vertex(Point(double(i), 1, 0)));
   }
-  for(std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n; ++i)
     mesh.add_face(lower[i], lower[i + 1], upper[i + 1], upper[i]);
   return mesh;
 }
@@ -78,7 +80,7 @@ inline Labels random_labels(std::size_t number_of_faces, int number, unsigned in
 {
   std::mt19937 random(seed);
   Labels labels;
-  for(std::size_t i = 0; i < number_of_faces; ++i)
+  for (std::size_t i = 0; i < number_of_faces; ++i)
     labels.push_back(int(random() % unsigned(number)));
   return labels;
 }

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Writing a file so that it appears under its name only when it is complete.
@@ -21,11 +23,11 @@ template <typename Write>
 bool write_file(const std::filesystem::path& file, const Write& write)
 {
   std::ofstream out(file, std::ios::binary);
-  if(!out)
+  if (!out)
     return false;
   write(out);
   out.close();
-  return bool(out);
+  return !out.fail();
 }
 
 // A free name in the same folder, as renaming replaces a file at once only within a file system.
@@ -38,8 +40,7 @@ inline std::filesystem::path temporary_name_beside(const std::filesystem::path& 
   {
     result = file;
     result += "." + std::to_string(random()) + ".part";
-  }
-  while(std::filesystem::exists(result, ignored));
+  } while (std::filesystem::exists(result, ignored));
   return result;
 }
 
@@ -47,9 +48,7 @@ inline std::filesystem::path temporary_name_beside(const std::filesystem::path& 
 class Temporary_file
 {
 public:
-  explicit Temporary_file(const std::filesystem::path& target)
-    : m_name(temporary_name_beside(target))
-  { }
+  explicit Temporary_file(const std::filesystem::path& target) : m_name(temporary_name_beside(target)) {}
   Temporary_file(const Temporary_file&) = delete;
   Temporary_file& operator=(const Temporary_file&) = delete;
   ~Temporary_file()
@@ -74,13 +73,13 @@ bool write_complete_file(const std::string& file_name, const Write& write)
   std::error_code error;
   const fs::path target = fs::is_symlink(file_name, error) ? fs::weakly_canonical(file_name, error)
                                                            : fs::path(file_name);
-  if(target.empty() || fs::is_directory(target, error))
+  if (target.empty() || fs::is_directory(target, error))
     return false;
-  if(fs::exists(target, error) && !fs::is_regular_file(target, error))
+  if (fs::exists(target, error) && !fs::is_regular_file(target, error))
     return write_file(target, write);
 
   const Temporary_file temporary(target);
-  if(!write_file(temporary.name(), write))
+  if (!write_file(temporary.name(), write))
     return false;
   error.clear();
   fs::rename(temporary.name(), target, error);

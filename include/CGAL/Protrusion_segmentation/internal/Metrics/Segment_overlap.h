@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // How the segments of two segmentations of one mesh overlap: the sparse contingency table from
@@ -6,12 +8,13 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_SEGMENT_OVERLAP_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_SEGMENT_OVERLAP_H
 
+#include <CGAL/assertions.h>
+
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -25,12 +28,11 @@ template <typename FaceGraph, typename SegmentIdMap>
 std::vector<std::size_t> compact_segment_ids(const FaceGraph& mesh, const SegmentIdMap& segment_ids)
 {
   using Id = typename boost::property_traits<SegmentIdMap>::value_type;
-  static_assert(std::is_integral<Id>::value, "segment ids are integers");
 
   std::unordered_map<Id, std::size_t> number_of_id;
   std::vector<std::size_t> numbers;
   numbers.reserve(num_faces(mesh));
-  for(const auto f : faces(mesh))
+  for (const auto f : faces(mesh))
     numbers.push_back(number_of_id.emplace(get(segment_ids, f), number_of_id.size()).first->second);
   return numbers;
 }
@@ -65,7 +67,9 @@ public:
                   const std::vector<std::size_t>& second_numbers,
                   const std::vector<double>& face_areas)
   {
-    for(std::size_t i = 0; i < face_areas.size(); ++i)
+    CGAL_precondition(first_numbers.size() == face_areas.size());
+    CGAL_precondition(second_numbers.size() == face_areas.size());
+    for (std::size_t i = 0; i < face_areas.size(); ++i)
     {
       m_total.add(face_areas[i]);
       add_to(m_first, first_numbers[i], face_areas[i]);
@@ -83,16 +87,16 @@ public:
 private:
   static void add_to(std::vector<Face_measure>& segments, std::size_t number, double face_area)
   {
-    if(number >= segments.size())
+    if (number >= segments.size())
       segments.resize(number + 1);
     segments[number].add(face_area);
   }
 
   Cell& cell(std::size_t first, std::size_t second, std::size_t number_of_faces)
   {
-    const std::uint64_t key = std::uint64_t(first) * number_of_faces + second;
+    const std::uint64_t key = static_cast<std::uint64_t>(first) * number_of_faces + second;
     const auto [position, is_new] = m_cell_of_key.emplace(key, m_cells.size());
-    if(is_new)
+    if (is_new)
       m_cells.push_back(Cell{first, second, Face_measure()});
     return m_cells[position->second];
   }
@@ -106,7 +110,8 @@ private:
 
 // By the number of faces only: all areas are 0.
 template <typename FaceGraph, typename SegmentIdMap, typename ReferenceIdMap>
-Segment_overlap segment_overlap(const FaceGraph& mesh, const SegmentIdMap& segment_ids,
+Segment_overlap segment_overlap(const FaceGraph& mesh,
+                                const SegmentIdMap& segment_ids,
                                 const ReferenceIdMap& reference_ids)
 {
   // Not `num_faces(mesh)`, which counts removed faces of a `Surface_mesh`, too.
@@ -117,12 +122,13 @@ Segment_overlap segment_overlap(const FaceGraph& mesh, const SegmentIdMap& segme
 
 // `face_areas` in the order of `faces(mesh)`.
 template <typename FaceGraph, typename SegmentIdMap, typename ReferenceIdMap>
-Segment_overlap segment_overlap(const FaceGraph& mesh, const SegmentIdMap& segment_ids,
+Segment_overlap segment_overlap(const FaceGraph& mesh,
+                                const SegmentIdMap& segment_ids,
                                 const ReferenceIdMap& reference_ids,
                                 const std::vector<double>& face_areas)
 {
-  return Segment_overlap(compact_segment_ids(mesh, segment_ids),
-                         compact_segment_ids(mesh, reference_ids), face_areas);
+  return Segment_overlap(compact_segment_ids(mesh, segment_ids), compact_segment_ids(mesh, reference_ids),
+                         face_areas);
 }
 
 } // namespace internal

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The formulas of the metrics that depend on the overlaps of the segments only.
@@ -5,7 +7,11 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_OVERLAP_ERRORS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_OVERLAP_ERRORS_H
 
+#include <CGAL/Protrusion_segmentation/Consistency_error.h>
+#include <CGAL/Protrusion_segmentation/Hamming_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Metrics/Segment_overlap.h>
+
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -14,70 +20,37 @@
 
 namespace CGAL {
 namespace Protrusion_segmentation {
-
-/*!
- * \ingroup PkgProtrusionSegmentationMetrics
- *
- * the result of `CGAL::hamming_distance()`: fractions of the area of the mesh.
- */
-struct Hamming_distance
-{
-  /// mean of the two rates
-  double distance = 0;
-  /// area of the reference's segments outside their best match in the segmentation
-  double missing_rate = 0;
-  /// area of the segmentation's segments outside their best match in the reference
-  double false_alarm_rate = 0;
-};
-
-/*!
- * \ingroup PkgProtrusionSegmentationMetrics
- *
- * the result of `CGAL::consistency_error()`.
- */
-struct Consistency_error
-{
-  /// refinement allowed in one direction, parts of segments measured by their number of faces
-  double global = 0;
-  /// refinement allowed in either direction at each face, measured by number of faces
-  double local = 0;
-  /// refinement allowed in one direction, parts of segments measured by area
-  double global_by_area = 0;
-  /// refinement allowed in either direction at each face, measured by area
-  double local_by_area = 0;
-};
-
 namespace internal {
 
+// n * (n - 1) / 2, halved before it can overflow; n - 1 may wrap for n = 0, which is multiplied by 0
 inline std::uint64_t number_of_pairs(std::uint64_t n)
 {
-  return n == 0 ? 0 : (n % 2 == 0 ? n / 2 * (n - 1) : n * ((n - 1) / 2));
+  return n % 2 == 0 ? n / 2 * (n - 1) : n * ((n - 1) / 2);
 }
 
 inline std::uint64_t number_of_pairs_within(const std::vector<Face_measure>& segments)
 {
   std::uint64_t sum = 0;
-  for(const Face_measure& segment : segments)
+  for (const Face_measure& segment : segments)
     sum += number_of_pairs(segment.count);
   return sum;
 }
 
+// The part of the pairs of faces that only one of the segmentations has in one segment.
 inline double rand_index_error(const Segment_overlap& overlap)
 {
   const std::uint64_t n = overlap.total().count;
-  if(n < 2)
+  if (n < 2)
     return 0;
 
   std::uint64_t pairs_in_both = 0;
-  for(const Segment_overlap::Cell& cell : overlap.cells())
+  for (const Segment_overlap::Cell& cell : overlap.cells())
     pairs_in_both += number_of_pairs(cell.common.count);
-  const std::uint64_t disagreements = number_of_pairs_within(overlap.first_segments())
-                                    + number_of_pairs_within(overlap.second_segments())
-                                    - 2 * pairs_in_both;
-
-  // The benchmark divides as integers here; with two faces that leaves nothing to divide by.
-  const std::uint64_t divisor = n == 2 ? 1 : n * ((n - 1) / 2);
-  return (std::min)(1., double(disagreements) / double(divisor));
+  const std::uint64_t disagreements = number_of_pairs_within(overlap.first_segments()) +
+                                      number_of_pairs_within(overlap.second_segments()) -
+                                      2 * pairs_in_both;
+  CGAL_assertion(disagreements <= number_of_pairs(n));
+  return static_cast<double>(disagreements) / static_cast<double>(number_of_pairs(n));
 }
 
 // Area outside the best match of each segment, where `largest` are the areas of those matches.
@@ -85,7 +58,7 @@ inline double rand_index_error(const Segment_overlap& overlap)
 inline double unmatched_rate(double area, const std::vector<double>& largest)
 {
   double matched = 0;
-  for(const double match : largest)
+  for (const double match : largest)
     matched += match;
   return area > 0 ? (std::max)(0., (area - matched) / area) : 0;
 }
@@ -94,7 +67,7 @@ inline Hamming_distance hamming_distance(const Segment_overlap& overlap)
 {
   std::vector<double> largest_of_first(overlap.first_segments().size(), 0.);
   std::vector<double> largest_of_second(overlap.second_segments().size(), 0.);
-  for(const Segment_overlap::Cell& cell : overlap.cells())
+  for (const Segment_overlap::Cell& cell : overlap.cells())
   {
     double& of_first = largest_of_first[cell.first];
     of_first = (std::max)(of_first, cell.common.area);
@@ -133,23 +106,23 @@ struct Refinement_errors
 inline Consistency_error consistency_error(const Segment_overlap& overlap)
 {
   Consistency_error result;
-  if(overlap.total().count == 0)
+  if (overlap.total().count == 0)
     return result;
 
   Refinement_errors by_faces, by_area;
-  for(const Segment_overlap::Cell& cell : overlap.cells())
+  for (const Segment_overlap::Cell& cell : overlap.cells())
   {
     const Face_measure& first = overlap.first_segments()[cell.first];
     const Face_measure& second = overlap.second_segments()[cell.second];
-    const double count = double(cell.common.count);
-    by_faces.add(count, part_outside(count, double(first.count)),
-                 part_outside(count, double(second.count)));
+    const double count = static_cast<double>(cell.common.count);
+    by_faces.add(count, part_outside(count, static_cast<double>(first.count)),
+                 part_outside(count, static_cast<double>(second.count)));
     // Weighted by the number of faces here too: so does the benchmark.
     by_area.add(count, part_outside(cell.common.area, first.area),
                 part_outside(cell.common.area, second.area));
   }
 
-  const double n = double(overlap.total().count);
+  const double n = static_cast<double>(overlap.total().count);
   result.global = (std::min)(by_faces.of_first, by_faces.of_second) / n;
   result.local = by_faces.of_smaller / n;
   result.global_by_area = (std::min)(by_area.of_first, by_area.of_second) / n;

@@ -1,0 +1,38 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_SEGMENTATION_METRICS_H
+#define CGAL_PROTRUSION_SEGMENTATION_SEGMENTATION_METRICS_H
+
+#include <CGAL/Protrusion_segmentation/Consistency_error.h>
+#include <CGAL/Protrusion_segmentation/Hamming_distance.h>
+
+#include <optional>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationMetrics
+
+The result of `CGAL::segmentation_metrics()`: all metrics of a segmentation against a reference. Smaller is
+better in each of them.
+*/
+struct Segmentation_metrics
+{
+  /// see `CGAL::segmentation_rand_index_error()`; in [0, 1], default 0
+  double rand_index_error = 0;
+  /// see `CGAL::segmentation_hamming_distance()`
+  Hamming_distance hamming_distance;
+  /// see `CGAL::segmentation_cut_discrepancy()`; in average radii and not negative, or without a value where it
+  /// is undefined, as by default
+  std::optional<double> cut_discrepancy;
+  /// see `CGAL::segmentation_consistency_error()`
+  Consistency_error consistency_error;
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_SEGMENTATION_METRICS_H
