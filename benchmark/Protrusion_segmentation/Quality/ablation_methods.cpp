@@ -1,60 +1,104 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "ablation_methods.h"
 
 #include <CGAL/protrusion_segmentation.h>
 
+#include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace {
 
 namespace PS = CGAL::Protrusion_segmentation;
+using PS::internal::Cut_clues;
+using PS::internal::Cut_policy;
 
-// The default border method with some of its ingredients.
-struct Border_with_ingredients
+// The cut method with another policy.
+struct Method_with_policy
 {
-  PS::internal::Cut_ingredients ingredients;
+  std::shared_ptr<const Cut_policy> policy;
 
-  template <typename Distance, typename Visitor>
-  PS::internal::Nested_segments segment(const PS::Indexed_surface& surface, const Distance& distance,
-                                       std::optional<std::size_t> number_of_segments,
-                                       PS::internal::Monitor<Visitor>& monitor) const
+  PS::internal::Nested_segments segment(const PS::Indexed_surface& surface,
+                                        std::optional<std::size_t> number_of_segments,
+                                        PS::Execution& execution) const
   {
-    return PS::internal::Cut_segmentation<Distance, Visitor>(surface, distance, monitor, ingredients)
+    const std::optional<PS::internal::Any_distance> no_distance;
+    return PS::internal::Cut_segmentation(surface, no_distance, execution, *policy)
       .with_number_of_segments(*number_of_segments);
   }
 };
+
+struct Without_cost_of_seams : Cut_policy
+{
+  double cost(double border_length, double) const override { return border_length; }
+  double length_of_angle() const override { return 0; }
+};
+
+struct Without_minimum_cuts : Cut_policy
+{
+  bool prefers_minimum_cut(double, double) const override { return false; }
+};
+
+struct Without_choice_of_cheaper : Cut_policy
+{
+  bool prefers_minimum_cut(double, double) const override { return true; }
+};
+
+struct Without_minimum_cut_on_faces : Cut_policy
+{
+  bool moves_borders_on_faces() const override { return false; }
+};
+
+// Some clues have their means over the candidate cuts of half of the development models.
+struct Without_clues : Cut_policy
+{
+  explicit Without_clues(std::vector<double Cut_clues::*> clues) : m_left_out(std::move(clues)) {}
+
+  double probability(const Cut_clues& clues) const override
+  {
+    constexpr Cut_clues mean = {0.54, 0.71, -1.77, 0.10, -0.24};
+    Cut_clues others = clues;
+    for (double Cut_clues::*clue : m_left_out)
+      others.*clue = mean.*clue;
+    return Cut_policy::probability(others);
+  }
+
+private:
+  std::vector<double Cut_clues::*> m_left_out;
+};
+
+Segmentation_method without(const std::string& ingredient, std::shared_ptr<const Cut_policy> policy)
+{
+  return {"Without-" + ingredient,
+          [policy](const Mesh& mesh, std::size_t k, unsigned int seed)
+          {
+            Labels labels(mesh.number_of_faces());
+            CGAL::segmentation_via_protrusion_tips(mesh, CGAL::make_property_map(labels), k,
+                                                   Method_with_policy{policy}, CGAL::parameters::random_seed(seed));
+            return labels;
+          },
+          false};
+}
+
+Segmentation_method without_clues(const std::string& ingredient, std::vector<double Cut_clues::*> clues)
+{
+  return without(ingredient, std::make_shared<Without_clues>(std::move(clues)));
+}
 
 } // namespace
 
 std::vector<Segmentation_method> ablation_methods()
 {
-  using Ingredients = PS::internal::Cut_ingredients;
-  const std::vector<std::pair<std::string, bool Ingredients::*>> ingredients = {
-    {"cost-of-seams", &Ingredients::cost_of_seams},
-    {"minimum-cuts", &Ingredients::minimum_cuts},
-    {"choice-of-cheaper", &Ingredients::choice_of_cheaper},
-    {"minimum-cut-on-faces", &Ingredients::minimum_cut_on_faces},
-    {"concave-share", &Ingredients::concave_share},
-    {"relative-length", &Ingredients::relative_length},
-    {"part-size", &Ingredients::part_size},
-    {"widening", &Ingredients::widening}};
-  std::vector<Segmentation_method> methods;
-  for(const auto& ingredient : ingredients)
-  {
-    Border_with_ingredients border;
-    border.ingredients.*ingredient.second = false;
-    methods.push_back({"Without-" + ingredient.first,
-                       [border](const Mesh& mesh, std::size_t k, unsigned int seed)
-                       {
-                         Labels labels(mesh.number_of_faces());
-                         CGAL::segmentation_via_protrusion_tips(mesh, CGAL::make_property_map(labels), k,
-                                                                PS::Geodesic_distance(), border,
-                                                                CGAL::parameters::random_seed(seed));
-                         return labels;
-                       },
-                       false});
-  }
-  return methods;
+  return {without("cost-of-seams", std::make_shared<Without_cost_of_seams>()),
+          without("minimum-cuts", std::make_shared<Without_minimum_cuts>()),
+          without("choice-of-cheaper", std::make_shared<Without_choice_of_cheaper>()),
+          without("minimum-cut-on-faces", std::make_shared<Without_minimum_cut_on_faces>()),
+          without_clues("concave-share", {&Cut_clues::concave_share}),
+          without_clues("relative-length", {&Cut_clues::relative_length}),
+          without_clues("segment-size", {&Cut_clues::segment_size}),
+          without_clues("widening", {&Cut_clues::larger_widening, &Cut_clues::smaller_widening})};
 }
