@@ -28,9 +28,11 @@ struct Cut
 // Values a cut: how much better a segmentation becomes by it. That is about the number of pairs of points on
 // different sides, times the probability that they belong apart less the one that they belong together. The root
 // keeps the largest segments from being cut for their size alone. Minus infinity if a side is too small to be a
-// segment. `cut.inner` is marked.
+// segment. `nodes` are those of the segment,
+// `cut.inner` is marked.
 inline void value_cut(Graph_partition& partition,
                       Weighted_dual_graph::Index segment,
+                      const Graph_partition::Nodes& nodes,
                       double segment_area,
                       const Cut_policy& policy,
                       Cut& cut)
@@ -39,7 +41,7 @@ inline void value_cut(Graph_partition& partition,
   cut.value = -(std::numeric_limits<double>::infinity)();
   if (!is_large_enough(area, segment_area))
     return;
-  cut.probability = policy.probability(clues_of_cut(partition, segment, cut.inner, segment_area));
+  cut.probability = policy.probability(Clues_of_cut(partition, segment, nodes, cut.inner, segment_area)());
   cut.value = (2 * cut.probability - 1) * std::sqrt(area * (segment_area - area));
 }
 

@@ -6,66 +6,160 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CLUES_H
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
+
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// What of a cut tells whether people would cut there.
+// What of a cut tells whether people would cut there. All clues are independent of scale.
 struct Cut_clues
 {
-  double concave_share;    // of the cut's length
+  double concave_share;    // of the cut's length, the share in a concave seam
   double relative_length;  // log of the length relative to the square root of the smaller area
-  double segment_size;     // log of the segment's share of the area of the surface
-  double larger_widening;  // log, of the two sides
-  double smaller_widening;
+  double segment_size;     // log of the segment's share of the area of the component
+  double larger_widening;  // log of the area of a strip beside the cut relative to that of a straight one,
+  double smaller_widening; // of the two sides
+  double roundness;        // log of the area of the opening relative to that of a circle as long as the cut
+  double neighbors;        // log of the length of earlier borders around the smaller side relative to the cut's
+  double contrast;         // log of what a cut beside this one costs relative to it, of the dearer side
+  double mean_cost;        // log of the cost of a unit of length
+  double thickness;        // log of the volume of the smaller side relative to its area and opening
+  double inner_concavity;  // the length of concave seams inside the smaller side
+  double several_loops;    // 1 if the cut consists of several loops, else 0
 };
 
-// The log of the area within `width` of the cut on one side, relative to a strip of that width: above 0 where the
-// surface widens, the sudden widening that the paper looks for in its histograms.
-inline double widening(Graph_partition& partition,
-                       Weighted_dual_graph::Index segment,
-                       const Graph_partition::Nodes& along_cut,
-                       bool inner,
-                       double cut_length,
-                       double width)
+// Computes the clues of the cut whose inner side, marked, is `inner`, out of a segment of a coarse graph.
+class Clues_of_cut
 {
-  constexpr double least_widening = 1e-6;
-  const Nodes_by_distance strip =
-    partition.nodes_by_distance_on_side(along_cut, segment, inner, partition.graph().lengths(), width);
-  return std::log((std::max)(least_widening, partition.area(strip.nodes) / (cut_length * width)));
-}
-
-// The clues of the cut whose inner side, marked, is `inner`.
-inline Cut_clues clues_of_cut(Graph_partition& partition,
-                              Weighted_dual_graph::Index segment,
-                              const Graph_partition::Nodes& inner,
-                              double segment_area)
-{
+public:
   using Index = Weighted_dual_graph::Index;
-  // width of the strips on both sides, relative to the square root of the smaller area
-  constexpr double strip_width = 0.4;
-  constexpr double least_length = 1e-9;
-  const Weighted_dual_graph& graph = partition.graph();
-  double concave = 0, length = 0;
-  partition.for_each_arc_of_cut(segment, inner, [&](Index arc, Index, Index)
-                                {
-                                  concave += graph.concave_border_length[arc];
-                                  length += graph.border_length[arc];
-                                });
-  length = (std::max)(length, least_length);
-  const double area = partition.area(inner);
-  const double size = std::sqrt((std::min)(area, segment_area - area));
-  const auto [inside, outside] = partition.nodes_along_cut(segment, inner);
-  const double width = strip_width * size;
-  const double inner_widening = widening(partition, segment, inside, true, length, width);
-  const double outer_widening = widening(partition, segment, outside, false, length, width);
-  return {concave / length, std::log(length / size), std::log(segment_area),
-          (std::max)(inner_widening, outer_widening), (std::min)(inner_widening, outer_widening)};
-}
+  using Nodes = Graph_partition::Nodes;
+  using Vector_3 = Indexed_surface::Vector_3;
+
+  Clues_of_cut(Graph_partition& partition, Index segment, const Nodes& nodes, const Nodes& inner, double segment_area)
+    : m_partition(partition),
+      m_graph(partition.graph()),
+      m_segment(segment),
+      m_inner_area(partition.area(inner)),
+      m_segment_area(segment_area),
+      m_inner_is_smaller(2 * m_inner_area <= segment_area),
+      m_size(std::sqrt((std::min)(m_inner_area, segment_area - m_inner_area)))
+  {
+    measure_cut(inner);
+    std::tie(m_inside, m_outside) = partition.nodes_along_cut(segment, inner);
+    measure_smaller_side(nodes);
+  }
+
+  Cut_clues operator()()
+  {
+    const Side inside = measure_side(m_inside, true), outside = measure_side(m_outside, false);
+    Cut_clues clues;
+    clues.concave_share = m_concave_length / m_length;
+    clues.relative_length = std::log(m_length / m_size);
+    clues.segment_size = std::log(m_segment_area);
+    clues.larger_widening = (std::max)(inside.widening, outside.widening);
+    clues.smaller_widening = (std::min)(inside.widening, outside.widening);
+    clues.roundness = std::log(4 * CGAL_PI * opening() / CGAL::square(m_length) + 0.05);
+    clues.neighbors = std::log(1 + m_earlier_length / m_length);
+    clues.contrast = (std::max)(inside.contrast, outside.contrast);
+    clues.mean_cost = std::log(m_cost / m_length + 0.02);
+    clues.thickness = std::log((std::max)(0.001, 4 * volume() / (smaller_area() * std::sqrt(opening() + 0.02 * smaller_area()))));
+    clues.inner_concavity = m_inner_concave_length / m_size;
+    clues.several_loops = has_several_loops() ? 1 : 0;
+    return clues;
+  }
+
+private:
+  struct Side
+  {
+    double widening, contrast;
+  };
+
+  double smaller_area() const { return CGAL::square(m_size); }
+  // the area of the opening that the cut leaves
+  double opening() const { return std::sqrt(m_opening.squared_length()); }
+
+  void measure_cut(const Nodes& inner)
+  {
+    constexpr double least_length = 1e-9;
+    Vector_3 moment(0, 0, 0);
+    m_partition.for_each_arc_of_cut(m_segment, inner, [&](Index arc, Index, Index)
+                                    {
+                                      m_concave_length += m_graph.concave_border_length[arc];
+                                      m_length += m_graph.border_length[arc];
+                                      m_cost += m_graph.capacity[arc];
+                                      m_opening += m_graph.border_area[arc];
+                                      moment += m_graph.border_moment[arc];
+                                    });
+    m_length = (std::max)(m_length, least_length);
+    m_cost = (std::max)(m_cost, least_length);
+    m_centre = moment / m_length;
+  }
+
+  void measure_smaller_side(const Nodes& nodes)
+  {
+    for (Index i : nodes)
+    {
+      if (m_partition.is_inner(i) != m_inner_is_smaller)
+        continue;
+      m_area_vector += m_graph.area_vector[i];
+      m_flux += m_graph.flux[i];
+      for (Index arc : m_graph.arcs(i))
+      {
+        const Index j = m_graph.target[arc];
+        if (m_partition.segment(j) != m_segment)
+          m_earlier_length += m_graph.border_length[arc];
+        else if (m_partition.is_inner(j) == m_inner_is_smaller)
+          m_inner_concave_length += m_graph.concave_border_length[arc] / 2; // seen from both ends
+      }
+    }
+  }
+
+  // of the smaller side, closed by a cone over the cut
+  double volume() const { return std::abs(m_flux - m_area_vector * m_centre) / 3; }
+
+  // The strip along the cut on one side: where the surface widens it is larger than its length and width say, the
+  // sudden widening that the paper looks for in its histograms. And what a cut along its far edge would cost.
+  Side measure_side(const Nodes& along_cut, bool inner)
+  {
+    constexpr double strip_width = 0.4; // relative to the square root of the smaller area
+    constexpr double least_widening = 1e-6;
+    const double width = strip_width * m_size;
+    const Nodes_by_distance strip =
+      m_partition.nodes_by_distance_on_side(along_cut, m_segment, inner, m_graph.lengths(), width);
+    const double widening = m_partition.area(strip.nodes) / (m_length * width);
+    const double far_cost = m_partition.cost_around(strip.nodes, [&](Index j)
+                                                    { return m_partition.segment(j) == m_segment &&
+                                                             m_partition.is_inner(j) == inner; });
+    return {std::log((std::max)(least_widening, widening)), std::log((far_cost + 0.1 * m_cost) / m_cost)};
+  }
+
+  bool has_several_loops()
+  {
+    Nodes along_cut = m_inside;
+    along_cut.insert(along_cut.end(), m_outside.begin(), m_outside.end());
+    return !m_partition.are_connected(along_cut);
+  }
+
+  Graph_partition& m_partition;
+  const Weighted_dual_graph& m_graph;
+  Index m_segment;
+  double m_inner_area, m_segment_area;
+  bool m_inner_is_smaller;
+  double m_size; // square root of the smaller area
+  Nodes m_inside, m_outside;
+  double m_concave_length = 0, m_length = 0, m_cost = 0;                // of the cut
+  Vector_3 m_opening{0, 0, 0}, m_centre{0, 0, 0};                       // of the cut
+  double m_earlier_length = 0, m_inner_concave_length = 0, m_flux = 0; // of the smaller side
+  Vector_3 m_area_vector{0, 0, 0};                                      // of the smaller side
+};
 
 } // namespace internal
 } // namespace Protrusion_segmentation

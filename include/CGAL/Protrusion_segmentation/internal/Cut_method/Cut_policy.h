@@ -48,22 +48,33 @@ public:
   virtual bool moves_borders_on_faces() const { return true; }
 
   // The probability that two points on different sides of a cut lie in different segments when people segment
-  // the surface: a logistic function of the clues. Short cuts in concave seams behind which one side widens
-  // suddenly and the other does not are good; large segments are divided rather than small ones. The weights
-  // come from a regression over the candidate cuts, rounded; changes by a tenth hardly matter.
+  // the surface: a logistic function of the clues. Good are short, round cuts in concave seams, dear beside them,
+  // behind which one side widens suddenly; large segments are divided rather than small ones, and one loop is
+  // better than several. The weights come from a fit over the candidate cuts, rounded.
   virtual double probability(const Cut_clues& clues) const
   {
-    constexpr double bias = -0.7;
-    constexpr double concave_share_weight = 5;
-    constexpr double relative_length_weight = -2.5;
-    constexpr double segment_size_weight = 1.3;
-    constexpr double larger_widening_weight = 2;
-    constexpr double smaller_widening_weight = -1;
-    return 1 / (1 + std::exp(-(bias + concave_share_weight * clues.concave_share +
-                               relative_length_weight * clues.relative_length +
-                               segment_size_weight * clues.segment_size +
-                               larger_widening_weight * clues.larger_widening +
-                               smaller_widening_weight * clues.smaller_widening)));
+    constexpr double bias = -1.2;
+    constexpr double concave_share_weight = 6;
+    constexpr double relative_length_weight = -3.2;
+    constexpr double segment_size_weight = 1;
+    constexpr double larger_widening_weight = 2.4;
+    constexpr double smaller_widening_weight = -0.2;
+    constexpr double roundness_weight = -0.6;
+    constexpr double neighbors_weight = -1;
+    constexpr double contrast_weight = 0.4;
+    constexpr double mean_cost_weight = -0.8;
+    constexpr double thickness_weight = 0.3;
+    constexpr double inner_concavity_weight = -0.04;
+    constexpr double several_loops_weight = -1.5;
+    const double x = bias + concave_share_weight * clues.concave_share +
+                     relative_length_weight * clues.relative_length + segment_size_weight * clues.segment_size +
+                     larger_widening_weight * clues.larger_widening +
+                     smaller_widening_weight * clues.smaller_widening + roundness_weight * clues.roundness +
+                     neighbors_weight * clues.neighbors + contrast_weight * clues.contrast +
+                     mean_cost_weight * clues.mean_cost + thickness_weight * clues.thickness +
+                     inner_concavity_weight * clues.inner_concavity +
+                     several_loops_weight * clues.several_loops;
+    return 1 / (1 + std::exp(-x));
   }
 };
 

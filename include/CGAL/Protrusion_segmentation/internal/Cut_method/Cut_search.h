@@ -172,7 +172,7 @@ private:
       cut.inner = std::move(minimum);
     else
       m_partition.mark(nodes, cut.inner);
-    value_cut(m_partition, segment, segment_area, m_policy, cut);
+    value_cut(m_partition, segment, nodes, segment_area, m_policy, cut);
     return cut;
   }
 

@@ -15,6 +15,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/distance_orders.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/Next_segment.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
@@ -44,6 +45,7 @@ struct Cut_graphs
     const Stage_scope stage(execution.observer(), Stage::PREPARATION);
     fine = make_weighted_dual_graph(surface, policy, execution);
     coarse = coarsen(fine, number_of_nodes, execution);
+    measure_volumes(surface, coarse.node, coarse.graph);
     // only the coarse graph is made of these: a third of the memory of the surface
     decltype(fine.centre)().swap(fine.centre);
     decltype(fine.concave_border_length)().swap(fine.concave_border_length);

@@ -154,6 +154,31 @@ public:
       length, limit);
   }
 
+  // What the border of a set of nodes costs, towards nodes for which `is_inside` holds.
+  template <typename IsInside>
+  double cost_around(const Nodes& nodes, IsInside is_inside)
+  {
+    ++m_stamp;
+    for (Index i : nodes)
+      m_stamps[i] = m_stamp;
+    double cost = 0;
+    for (Index i : nodes)
+      for (Index arc : m_graph.arcs(i))
+        if (m_stamps[m_graph.target[arc]] != m_stamp && is_inside(m_graph.target[arc]))
+          cost += m_graph.capacity[arc];
+    return cost;
+  }
+
+  // Whether a set of nodes, not empty, is connected in itself.
+  bool are_connected(const Nodes& nodes)
+  {
+    const std::uint32_t in_set = m_stamp + 1;
+    m_stamp += 2;
+    for (Index i : nodes)
+      m_stamps[i] = in_set;
+    return extend(nodes.front(), [&](Index j) { return m_stamps[j] == in_set; }).size() == nodes.size();
+  }
+
   // The nodes connected to `seed` over nodes for which `is_inside` holds.
   template <typename IsInside>
   Nodes connected_nodes(Index seed, IsInside is_inside)

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_MEASURE_VOLUMES_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_MEASURE_VOLUMES_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Adds to a coarse graph what openings of cuts and volumes of segments are measured with. `node` is the node of every
+// face. Linear time.
+inline void measure_volumes(const Indexed_surface& surface,
+                            const std::vector<Indexed_surface::Index>& node,
+                            Weighted_dual_graph& graph)
+{
+  using Index = Indexed_surface::Index;
+  using Vector_3 = Indexed_surface::Vector_3;
+  const double unit = surface.area() > 0 ? std::sqrt(surface.area()) : 1;
+  const auto position = [unit](const Indexed_surface::Point_3& p)
+  { return (p - Indexed_surface::Point_3(0, 0, 0)) / unit; };
+
+  graph.border_area.assign(graph.target.size(), Vector_3(0, 0, 0));
+  graph.border_moment.assign(graph.target.size(), Vector_3(0, 0, 0));
+  graph.area_vector.assign(graph.number_of_nodes(), Vector_3(0, 0, 0));
+  graph.flux.assign(graph.number_of_nodes(), 0);
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+  {
+    const Vector_3 area_vector = surface.area_vector(f) / (unit * unit);
+    graph.area_vector[node[f]] += area_vector;
+    graph.flux[node[f]] += area_vector * position(surface.centroid(f));
+    for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
+    {
+      const Index g = surface.neighbor(c);
+      if (g == Indexed_surface::no_face() || node[g] == node[f])
+        continue;
+      const auto arcs = graph.arcs(node[f]);
+      const Index arc = *std::find_if(arcs.begin(), arcs.end(), [&](Index a) { return graph.target[a] == node[g]; });
+      const Vector_3 a = position(surface.point(surface.vertex(c)));
+      const Vector_3 b = position(surface.point(surface.vertex(surface.next_corner(f, c))));
+      graph.border_area[arc] += cross_product(a, b) / 2;
+      graph.border_moment[arc] += std::sqrt((b - a).squared_length()) * (a + b) / 2;
+    }
+  }
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_MEASURE_VOLUMES_H
