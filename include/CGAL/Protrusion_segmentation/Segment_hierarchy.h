@@ -10,7 +10,6 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -91,10 +90,14 @@ private:
                                   ", but the hierarchy has " +
                                   std::to_string(minimum_number_of_segments()) + " to " +
                                   std::to_string(maximum_number_of_segments()) + " segments");
-    std::vector<Index> ancestors(m_parents.size());
-    std::iota(ancestors.begin(), ancestors.end(), Index(0));
-    for (std::size_t s = number_of_segments; s < ancestors.size(); ++s)
-      ancestors[s] = ancestors[m_parents[s]];
+    std::vector<Index> ancestors;
+    for (Index s = 0; s < m_parents.size(); ++s)
+    {
+      Index ancestor = s;
+      while (ancestor >= number_of_segments)
+        ancestor = m_parents[ancestor];
+      ancestors.push_back(ancestor);
+    }
     return ancestors;
   }
 

@@ -5,88 +5,89 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_FACE_BORDERS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_FACE_BORDERS_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/minimum_cut.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// Brings cuts of the coarse graph to the faces.
+// Brings a segmentation of the coarse graph to the faces: there, the border between any two neighbouring segments
+// becomes the minimum cut in a narrow band around it.
 class Face_borders
 {
 public:
   using Index = Weighted_dual_graph::Index;
   using Nodes = Graph_partition::Nodes;
 
-  // `node_of_face`: of the coarse graph
-  Face_borders(Graph_partition& fine,
-               Graph_partition& coarse,
-               const std::vector<Index>& node_of_face,
-               const Cut_policy& policy)
-    : m_fine(fine),
-      m_coarse(coarse),
-      m_node(node_of_face),
-      m_policy(policy),
-      m_number(node_of_face.size(), Indexed_surface::no_face())
-  {}
-
-  // The faces of a segment, out of `faces`, on the inner side of a coarse cut, marked, with the minimum cut near
-  // it as border. None or all of them if all faces lie on one side.
-  Nodes inner_faces(Index segment, const Nodes& faces, const Nodes& segment_nodes, const Nodes& inner_nodes)
+  // `labels`: the segment of every face, each of them connected
+  Face_borders(const Weighted_dual_graph& graph, std::vector<Index> labels, std::size_t number_of_segments)
+    : m_partition(graph, std::move(labels)),
+      m_faces(number_of_segments),
+      m_number(graph.number_of_nodes(), Indexed_surface::no_face())
   {
-    constexpr Band band = {0.05, 2, 0.7};
-    m_coarse.mark(segment_nodes, inner_nodes);
-    mark_faces(segment, faces);
-    Nodes inner = m_fine.marked(faces);
-    if (inner.empty() || inner.size() == faces.size())
-      return inner;
-    inner = m_fine.connect_sides(faces, segment, inner);
-    if (!m_policy.moves_borders_on_faces())
-      return inner;
-    inner = refine_cut(m_fine, segment, faces, inner, band, m_number);
-    return m_fine.connect_sides(faces, segment, inner);
+    for (Index f = 0; f < graph.number_of_nodes(); ++f)
+      m_faces[m_partition.segment(f)].push_back(f);
   }
+
+  void refine(Execution& execution)
+  {
+    constexpr int number_of_rounds = 2; // a border may change where another one meets it
+    for (int round = 0; round < number_of_rounds; ++round)
+      for (const auto& [s, t] : neighbors())
+      {
+        execution.check();
+        refine(s, t);
+      }
+  }
+
+  // the segment of every face
+  const std::vector<Index>& labels() const { return m_partition.segments(); }
 
 private:
-  // A face follows its node. Borders made before follow the faces, not the nodes: faces of this segment whose
-  // node belongs to another one go with their neighbours.
-  void mark_faces(Index segment, const Nodes& faces)
+  // All pairs of segments that share a border, the lower one first.
+  std::set<std::pair<Index, Index>> neighbors() const
   {
-    Nodes known;
-    std::vector<bool> is_known(faces.size(), false);
-    for (std::size_t i = 0; i < faces.size(); ++i)
-    {
-      const Index node = m_node[faces[i]];
-      m_number[faces[i]] = static_cast<Index>(i);
-      is_known[i] = m_coarse.segment(node) == segment;
-      m_fine.set_inner(faces[i], is_known[i] && m_coarse.is_inner(node));
-      if (is_known[i])
-        known.push_back(faces[i]);
-    }
-    for (std::size_t i = 0; i < known.size(); ++i)
-      for (Index arc : m_fine.graph().arcs(known[i]))
-      {
-        const Index g = m_fine.graph().target[arc];
-        if (m_fine.segment(g) != segment || is_known[m_number[g]])
-          continue;
-        is_known[m_number[g]] = true;
-        m_fine.set_inner(g, m_fine.is_inner(known[i]));
-        known.push_back(g);
-      }
-    for (Index f : faces)
-      m_number[f] = Indexed_surface::no_face();
+    std::set<std::pair<Index, Index>> result;
+    const Weighted_dual_graph& graph = m_partition.graph();
+    for (Index f = 0; f < graph.number_of_nodes(); ++f)
+      for (Index arc : graph.arcs(f))
+        if (m_partition.segment(f) < m_partition.segment(graph.target[arc]))
+          result.emplace(m_partition.segment(f), m_partition.segment(graph.target[arc]));
+    return result;
   }
 
-  Graph_partition& m_fine;
-  Graph_partition& m_coarse;
-  const std::vector<Index>& m_node;
-  const Cut_policy& m_policy;
+  // While a border moves, both segments are one, with two sides: the smaller one is the inner.
+  void refine(Index s, Index t)
+  {
+    constexpr Band band = {0.05, 2, 0.7};
+    if (m_partition.area(m_faces[s]) > m_partition.area(m_faces[t]))
+      std::swap(s, t);
+    Nodes both;
+    std::merge(m_faces[s].begin(), m_faces[s].end(), m_faces[t].begin(), m_faces[t].end(), std::back_inserter(both));
+    for (Index f : m_faces[s])
+      m_partition.set_segment(f, t);
+    m_partition.mark(both, m_faces[s]);
+    const Nodes inner = refine_cut(m_partition, t, both, m_faces[s], band, m_number);
+    m_faces[s] = m_partition.connect_sides(both, t, inner);
+    m_faces[t].clear();
+    std::set_difference(both.begin(), both.end(), m_faces[s].begin(), m_faces[s].end(),
+                        std::back_inserter(m_faces[t]));
+    for (Index f : m_faces[s])
+      m_partition.set_segment(f, s);
+  }
+
+  Graph_partition m_partition;
+  std::vector<Nodes> m_faces; // of every segment, ascending
   std::vector<Index> m_number;
 };
 

@@ -51,6 +51,7 @@ public:
 
   const Weighted_dual_graph& graph() const { return m_graph; }
   Index segment(Index node) const { return m_segments[node]; }
+  const std::vector<Index>& segments() const { return m_segments; }
   void set_segment(Index node, Index segment) { m_segments[node] = segment; }
 
   bool is_inner(Index node) const { return m_is_inner[node]; }

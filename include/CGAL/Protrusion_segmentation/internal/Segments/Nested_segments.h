@@ -21,10 +21,9 @@ namespace internal {
 
 // The segments of a surface and where each was cut from.
 //
-// It begins with one segment per connected component; every cut splits one segment in two, of which the
-// protrusion gets the next id and the rest keeps the old one. So a segment's parent has a lower id, and the
-// segmentation as it was with any smaller number of segments is found by giving the faces of the newest
-// segments back to their parents, one after the other.
+// The bodies of the connected components come first. Every other segment sticks out of its parent. The segmentation
+// into any smaller number of segments is found by giving the faces of the last segments back: each to the nearest
+// ancestor that is left.
 class Nested_segments
 {
 public:
@@ -48,6 +47,17 @@ public:
     m_number_of_components = m_parents.size();
   }
 
+  // `labels`: the segment of every face; `parents`: of every segment, the bodies first, which are their own
+  Nested_segments(std::vector<Index> labels, std::vector<Index> parents, std::size_t number_of_components)
+    : m_labels(std::move(labels)),
+      m_parents(std::move(parents)),
+      m_faces(m_parents.size()),
+      m_number_of_components(number_of_components)
+  {
+    for (Index f = 0; f < m_labels.size(); ++f)
+      m_faces[m_labels[f]].push_back(f);
+  }
+
   std::size_t number_of_components() const { return m_number_of_components; }
   std::size_t number_of_segments() const { return m_parents.size(); }
   // of a segment; that of a connected component is the segment itself
@@ -65,7 +75,7 @@ public:
     return sum;
   }
 
-  // Makes the faces of a segment for which `is_inner(face)` holds, some but not all, a segment of their own;
+  // Makes the faces of a segment, a protrusion of it, for which `is_inner(face)` holds, some but not all, a segment of their own;
   // returns its id.
   template <typename IsInner>
   Index cut_off(Index segment, IsInner is_inner)

@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_COMPONENT_CUTS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_COMPONENT_CUTS_H
+
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_set.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Segment_pool.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Tip_orders.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/distance_orders.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A connected surface as the cut method sees it: the faces, and a coarse graph that cuts are searched on.
+struct Cut_graphs
+{
+  Weighted_dual_graph fine;
+  Coarse_graph coarse;
+
+  Cut_graphs(const Indexed_surface& surface, const Cut_policy& policy, Execution& execution)
+  {
+    const Stage_scope stage(execution.observer(), Stage::PREPARATION);
+    fine = make_weighted_dual_graph(surface, policy, execution);
+    coarse = coarsen(fine, number_of_nodes, execution);
+    measure_volumes(surface, coarse.node, coarse.graph);
+    // only the coarse graph is made of these: a third of the memory of the surface
+    decltype(fine.centre)().swap(fine.centre);
+    decltype(fine.concave_border_length)().swap(fine.concave_border_length);
+  }
+
+private:
+  // The structure of a shape of up to some dozen parts shows in that many nodes; cuts get worse with more,
+  // since details come to the fore.
+  static constexpr Indexed_surface::Index number_of_nodes = 2000;
+};
+
+// Searches the cuts of a connected surface that are best together, for one more segment at a time. Not the best cut of
+// all is made, again and again: a cut that is good by itself may spoil two better ones. The best sets of cuts are
+// kept, a beam, and each is tried with its best further cuts.
+class Component_cuts
+{
+public:
+  using Index = Indexed_surface::Index;
+  using Nodes = Graph_partition::Nodes;
+
+  // The arguments must outlive the object. Without a distance, tips and level sets are those of the coarse graph.
+  Component_cuts(const Indexed_surface& surface,
+                 const std::optional<Any_distance>& distance,
+                 Execution& execution,
+                 const Cut_policy& policy)
+    : m_surface(surface),
+      m_distance(distance),
+      m_execution(execution),
+      m_graphs(surface, policy, execution),
+      m_partition(m_graphs.coarse.graph, std::vector<Index>(m_graphs.coarse.graph.number_of_nodes(), 0)),
+      m_search(m_partition, policy),
+      m_tip_orders(m_partition)
+  {
+    Nodes all(m_graphs.coarse.graph.number_of_nodes());
+    std::iota(all.begin(), all.end(), Index(0));
+    Cut_set whole;
+    whole.segments.push_back(m_pool.find_or_add(std::move(all)));
+    m_beam.push_back(whole);
+    m_best.push_back(std::move(whole));
+  }
+  Component_cuts(const Component_cuts&) = delete;
+  Component_cuts& operator=(const Component_cuts&) = delete;
+
+  const Indexed_surface& surface() const { return m_surface; }
+  const Cut_graphs& graphs() const { return m_graphs; }
+  const Segment_pool& pool() const { return m_pool; }
+  std::size_t number_of_runs() const { return m_tip_orders.number_of_runs(); }
+
+  // The best set of cuts into `number_of_segments`; none if there are not as many.
+  const Cut_set* best(std::size_t number_of_segments)
+  {
+    while (m_best.size() < number_of_segments && !m_beam.empty())
+      advance();
+    return number_of_segments <= m_best.size() ? &m_best[number_of_segments - 1] : nullptr;
+  }
+
+  // For tips of protrusions, in their order: cuts off the protrusion with the most probable border that has the tip
+  // but none of the others. Not the one of most value: that is the larger, the larger the protrusion is, and a foot
+  // would take half of the body with it.
+  Cut_set cuts_of_tips(const std::vector<Index>& tips)
+  {
+    Cut_set result = m_best.front();
+    for (Index face : tips)
+    {
+      m_execution.check();
+      const Index tip = m_graphs.coarse.node[face];
+      const Index segment = *std::find_if(result.segments.begin(), result.segments.end(), [&](Index s)
+                                          { return contains(m_pool[s].nodes, tip); });
+      if (const std::optional<Cut> cut = cut_of_tip(segment, tip, tips))
+        result = result.with(made_cut(segment, *cut));
+    }
+    return result;
+  }
+
+private:
+  // With more sets, or more cuts for each, errors of the value are exploited: on half of the development models of the
+  // Princeton benchmark the Rand index error is .089 with these, and from 5 times 6 on no lower.
+  static constexpr std::size_t number_of_sets = 3;
+  static constexpr std::size_t cuts_of_set = 4;
+
+  static bool contains(const Nodes& ascending, Index node)
+  {
+    return std::binary_search(ascending.begin(), ascending.end(), node);
+  }
+
+  Cut_set::Made_cut made_cut(Index segment, const Cut& cut)
+  {
+    const auto [inner, outer] = m_pool.sides(segment, cut.inner);
+    return {segment, inner, outer, cut.value};
+  }
+
+  // Makes the beam one of sets with one cut more.
+  void advance()
+  {
+    std::vector<Cut_set> next;
+    for (const Cut_set& set : m_beam)
+      for (const auto& [segment, cut] : best_cuts(set))
+        next.push_back(set.with(made_cut(segment, m_pool[segment].cuts[cut])));
+    std::stable_sort(next.begin(), next.end(),
+                     [](const Cut_set& a, const Cut_set& b) { return a.value > b.value; });
+    m_beam.clear();
+    for (Cut_set& set : next)
+    {
+      const bool is_new = std::none_of(m_beam.begin(), m_beam.end(),
+                                       [&](const Cut_set& other) { return other.segments == set.segments; });
+      if (is_new && m_beam.size() < number_of_sets)
+        m_beam.push_back(std::move(set));
+    }
+    if (!m_beam.empty())
+      m_best.push_back(m_beam.front());
+  }
+
+  // The best further cuts of a set: segments and numbers of their cuts.
+  std::vector<std::pair<Index, std::size_t>> best_cuts(const Cut_set& set)
+  {
+    std::vector<std::pair<Index, std::size_t>> result;
+    for (Index s : set.segments)
+    {
+      search(s);
+      for (std::size_t c = 0; c < (std::min)(m_pool[s].cuts.size(), cuts_of_set); ++c)
+        result.emplace_back(s, c);
+    }
+    std::stable_sort(result.begin(), result.end(),
+                     [this](const auto& a, const auto& b)
+                     { return m_pool[a.first].cuts[a.second].value > m_pool[b.first].cuts[b.second].value; });
+    result.resize((std::min)(result.size(), cuts_of_set));
+    return result;
+  }
+
+  void search(Index s)
+  {
+    if (m_pool[s].is_searched)
+      return;
+    m_execution.check();
+    const std::vector<Nodes> orders = orders_of(s);
+    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
+    m_execution.check();
+    m_pool[s].cuts = m_search.cuts(s, m_pool[s].nodes, orders);
+    m_pool[s].is_searched = true;
+  }
+
+  // The nodes of a segment by their distances from its tips. From here on the partition is about this segment.
+  std::vector<Nodes> orders_of(Index s)
+  {
+    const Stage_scope stage(m_execution.observer(), Stage::TIPS);
+    const Nodes& nodes = m_pool[s].nodes;
+    for (Index i : nodes)
+      m_partition.set_segment(i, s);
+    if (!m_distance)
+      return m_tip_orders.from_all_tips(s, nodes);
+    return distance_orders(m_surface, nodes, m_graphs.coarse.node, *m_distance, m_execution);
+  }
+
+  std::optional<Cut> cut_of_tip(Index s, Index tip, const std::vector<Index>& tips)
+  {
+    std::vector<bool> is_other_tip(m_graphs.coarse.graph.number_of_nodes(), false);
+    for (Index face : tips)
+      is_other_tip[m_graphs.coarse.node[face]] = m_graphs.coarse.node[face] != tip; // two tips in one node are one
+    const auto has_this_tip_only = [&](const Nodes& nodes)
+    {
+      return std::find(nodes.begin(), nodes.end(), tip) != nodes.end() &&
+             std::none_of(nodes.begin(), nodes.end(), [&](Index i) { return is_other_tip[i]; });
+    };
+    std::vector<Nodes> orders = orders_of(s);
+    orders.push_back(m_tip_orders.from_tip(s, tip).nodes);
+    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
+    std::optional<Cut> best;
+    for (Cut& cut : m_search.cuts(s, m_pool[s].nodes, orders, has_this_tip_only))
+      if (has_this_tip_only(cut.inner) && (!best || cut.probability > best->probability))
+        best = std::move(cut);
+    return best;
+  }
+
+  const Indexed_surface& m_surface;
+  const std::optional<Any_distance>& m_distance;
+  Execution& m_execution;
+  Cut_graphs m_graphs;
+  Graph_partition m_partition; // of the coarse graph: the segment that is searched against all else
+  Cut_search m_search;
+  Tip_orders m_tip_orders;
+  Segment_pool m_pool;
+  std::vector<Cut_set> m_beam; // of equally many cuts, the best first
+  std::vector<Cut_set> m_best; // for every number of segments from 1 on
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_COMPONENT_CUTS_H

@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_COMPONENT_SEGMENTS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_COMPONENT_SEGMENTS_H
+
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/Protrusion.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Component_cuts.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_set.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Face_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// The segments of a connected surface that a set of cuts makes: the faces of each, how they hang together, and what is
+// to be told of them. The body is segment 0; the others are in the order in which their borders were chosen.
+class Component_segments
+{
+public:
+  using Index = Indexed_surface::Index;
+  using Nodes = Graph_partition::Nodes;
+
+  Component_segments(const Component_cuts& cuts, const Cut_set& set, const Cut_policy& policy, Execution& execution)
+    : m_cuts(cuts), m_set(set), m_surface(cuts.surface()), m_labels(cuts.graphs().coarse.node)
+  {
+    number_leaves();
+    for (Index& label : m_labels) // still the node
+      label = m_leaf_of_node[label];
+    if (policy.moves_borders_on_faces() && set.segments.size() > 1)
+    {
+      Face_borders borders(cuts.graphs().fine, std::move(m_labels), set.segments.size());
+      borders.refine(execution);
+      m_labels = borders.labels();
+    }
+    arrange();
+  }
+
+  std::size_t number_of_segments() const { return m_set.segments.size(); }
+  // the segment of every face
+  const std::vector<Index>& labels() const { return m_labels; }
+  // of every segment; the body is its own
+  const std::vector<Index>& parents() const { return m_parents; }
+  // the value of the border of a segment, not the body
+  double value(Index segment) const { return m_values[segment]; }
+
+  // All but the body; `tip` is a face of the component.
+  std::vector<Protrusion<Index>> protrusions() const
+  {
+    std::vector<Protrusion<Index>> result;
+    std::vector<std::vector<Index>> faces(number_of_segments());
+    for (Index f = 0; f < m_labels.size(); ++f)
+      faces[m_labels[f]].push_back(f);
+    Graph_partition partition(m_cuts.graphs().fine, m_labels);
+    for (Index s = 1; s < number_of_segments(); ++s)
+      result.push_back(describe(s, faces[s], partition));
+    return result;
+  }
+
+private:
+  // The segments that are left are the leaves of the tree of cuts.
+  void number_leaves()
+  {
+    m_leaf_of_node.resize(m_cuts.graphs().coarse.graph.number_of_nodes());
+    for (Index leaf = 0; leaf < m_set.segments.size(); ++leaf)
+    {
+      for (Index i : m_cuts.pool()[m_set.segments[leaf]].nodes)
+        m_leaf_of_node[i] = leaf;
+      m_leaves[m_set.segments[leaf]] = {leaf};
+    }
+    for (auto cut = m_set.cuts.rbegin(); cut != m_set.cuts.rend(); ++cut)
+    {
+      std::vector<Index> both = m_leaves[cut->inner];
+      both.insert(both.end(), m_leaves[cut->outer].begin(), m_leaves[cut->outer].end());
+      m_leaves[cut->segment] = std::move(both);
+    }
+  }
+
+  // Gives the leaves their final numbers.
+  void arrange()
+  {
+    std::vector<double> areas(number_of_segments(), 0);
+    for (Index f = 0; f < m_labels.size(); ++f)
+      areas[m_labels[f]] += m_surface.area(f);
+    const Segment_tree tree(areas, borders());
+    std::vector<std::pair<std::size_t, Index>> order; // by the border to the parent, the body first
+    for (Index leaf = 0; leaf < areas.size(); ++leaf)
+      order.emplace_back(leaf == tree.body() ? 0 : tree.border_to_parent(leaf) + 1, leaf);
+    std::sort(order.begin(), order.end());
+    std::vector<Index> number(areas.size());
+    for (Index s = 0; s < order.size(); ++s)
+      number[order[s].second] = s;
+    for (const auto& [border, leaf] : order)
+    {
+      m_parents.push_back(number[tree.parent(leaf)]);
+      m_areas_beyond.push_back(tree.area_beyond(leaf));
+      m_values.push_back(border == 0 ? 0 : m_set.cuts[border - 1].value);
+    }
+    for (Index& label : m_labels)
+      label = number[label];
+  }
+
+  // For every cut the two leaves, on its two sides, with the longest common border: there it runs in the end.
+  std::vector<Segment_tree::Border> borders() const
+  {
+    const std::map<Segment_tree::Border, double> lengths = border_lengths();
+    std::vector<Segment_tree::Border> result;
+    for (const Cut_set::Made_cut& cut : m_set.cuts)
+    {
+      Segment_tree::Border longest(m_leaves.at(cut.inner).front(), m_leaves.at(cut.outer).front());
+      double length = -1;
+      for (Index s : m_leaves.at(cut.inner))
+        for (Index t : m_leaves.at(cut.outer))
+        {
+          const auto found = lengths.find(std::minmax(s, t));
+          if (found != lengths.end() && found->second > length)
+          {
+            length = found->second;
+            longest = {s, t};
+          }
+        }
+      result.push_back(longest);
+    }
+    return result;
+  }
+
+  // of every two neighbouring segments, the lower one first
+  std::map<Segment_tree::Border, double> border_lengths() const
+  {
+    const Weighted_dual_graph& graph = m_cuts.graphs().fine;
+    std::map<Segment_tree::Border, double> result;
+    for (Index f = 0; f < m_labels.size(); ++f)
+      for (Index arc : graph.arcs(f))
+        if (m_labels[f] < m_labels[graph.target[arc]])
+          result[{m_labels[f], m_labels[graph.target[arc]]}] += graph.border_length[arc];
+    return result;
+  }
+
+  bool sticks_out_of(Index segment, Index other) const
+  {
+    while (segment != other && m_parents[segment] != segment)
+      segment = m_parents[segment];
+    return segment == other;
+  }
+
+  // The tip is the face of the segment that is farthest from the border to the parent.
+  Protrusion<Index> describe(Index s, const Nodes& faces, Graph_partition& partition) const
+  {
+    const Weighted_dual_graph& graph = m_cuts.graphs().fine;
+    const double unit = std::sqrt(m_surface.area()); // there is no border without area
+    Nodes along_border;
+    for (Index f : faces)
+      for (Index arc : graph.arcs(f))
+        if (m_labels[graph.target[arc]] == m_parents[s] && (along_border.empty() || along_border.back() != f))
+          along_border.push_back(f);
+    if (along_border.empty()) // it touches its parent no more, since other borders moved in between
+      along_border.push_back(faces.front());
+    const Nodes_by_distance from_border = partition.nodes_by_distance(
+      along_border, [&](Index f) { return m_labels[f] == s; }, graph.lengths());
+    Protrusion<Index> result;
+    result.segment = s;
+    result.parent = m_parents[s];
+    result.tip = from_border.nodes.back();
+    result.border_distance = from_border.distances.back() * unit;
+    result.value = m_values[s];
+    result.area = m_areas_beyond[s];
+    result.border_length = border_length(s) * unit;
+    return result;
+  }
+
+  // between what lies beyond a border and the rest
+  double border_length(Index s) const
+  {
+    std::vector<bool> is_beyond;
+    for (Index t = 0; t < number_of_segments(); ++t)
+      is_beyond.push_back(sticks_out_of(t, s));
+    const Weighted_dual_graph& graph = m_cuts.graphs().fine;
+    double length = 0;
+    for (Index f = 0; f < m_labels.size(); ++f)
+      if (is_beyond[m_labels[f]])
+        for (Index arc : graph.arcs(f))
+          if (!is_beyond[m_labels[graph.target[arc]]])
+            length += graph.border_length[arc];
+    return length;
+  }
+
+  const Component_cuts& m_cuts;
+  const Cut_set& m_set;
+  const Indexed_surface& m_surface;
+  std::vector<Index> m_labels;
+  std::vector<Index> m_leaf_of_node;
+  std::map<Index, std::vector<Index>> m_leaves; // in every segment of the pool that was one
+  std::vector<Index> m_parents;
+  std::vector<double> m_areas_beyond, m_values;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_COMPONENT_SEGMENTS_H

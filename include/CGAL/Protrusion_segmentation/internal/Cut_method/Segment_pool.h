@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEGMENT_POOL_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEGMENT_POOL_H
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <iterator>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// All sets of nodes that were segments in any of the segmentations looked at, each with its cuts. A set that comes up
+// again is the same segment, whose cuts are not searched again.
+class Segment_pool
+{
+public:
+  using Index = Weighted_dual_graph::Index;
+  using Nodes = Graph_partition::Nodes;
+
+  struct Segment
+  {
+    Nodes nodes;           // ascending
+    std::vector<Cut> cuts; // best first
+    bool is_searched = false;
+  };
+
+  Index number_of_segments() const { return static_cast<Index>(m_segments.size()); }
+  Segment& operator[](Index id) { return m_segments[id]; }
+  const Segment& operator[](Index id) const { return m_segments[id]; }
+
+  // The number of the segment with the given nodes, in ascending order.
+  Index find_or_add(Nodes nodes)
+  {
+    const auto [found, is_new] = m_ids.emplace(std::move(nodes), number_of_segments());
+    if (is_new)
+    {
+      m_segments.emplace_back();
+      m_segments.back().nodes = found->first;
+    }
+    return found->second;
+  }
+
+  // The segments on the inner and on the outer side of a cut.
+  std::pair<Index, Index> sides(Index id, const Nodes& inner)
+  {
+    Nodes outer;
+    const Nodes& nodes = m_segments[id].nodes;
+    std::set_difference(nodes.begin(), nodes.end(), inner.begin(), inner.end(), std::back_inserter(outer));
+    const Index inner_id = find_or_add(inner);
+    return {inner_id, find_or_add(std::move(outer))};
+  }
+
+private:
+  std::deque<Segment> m_segments; // where they are, while others are added
+  std::map<Nodes, Index> m_ids;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEGMENT_POOL_H
