@@ -18,9 +18,11 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -98,16 +100,16 @@ public:
     return number_of_segments <= m_best.size() ? &m_best[number_of_segments - 1] : nullptr;
   }
 
-  // For tips of protrusions, in their order: cuts off the protrusion with the most probable border that has the tip
-  // but none of the others. Not the one of most value: that is the larger, the larger the protrusion is, and a foot
-  // would take half of the body with it.
-  Cut_set cuts_of_tips(const std::vector<Index>& tips)
+  // For tips of protrusions, in their order: cuts off the protrusion with the best border that has the tip, but none
+  // of the others, and no more than half of the surface.
+  Cut_set cuts_of_tips(const std::vector<Index>& faces)
   {
+    const std::vector<Index> tips = nodes_of_tips(faces);
     Cut_set result = m_best.front();
-    for (Index face : tips)
+    for (std::size_t t = 0; t < faces.size(); ++t)
     {
       m_execution.check();
-      const Index tip = m_graphs.coarse.node[face];
+      const Index tip = tips[t];
       const Index segment = *std::find_if(result.segments.begin(), result.segments.end(), [&](Index s)
                                           { return contains(m_pool[s].nodes, tip); });
       if (const std::optional<Cut> cut = cut_of_tip(segment, tip, tips))
@@ -195,14 +197,32 @@ private:
     return distance_orders(m_surface, nodes, m_graphs.coarse.node, *m_distance, m_execution);
   }
 
+  // The nodes of the picked tips, and of further ones where there are few.
+  std::vector<Index> nodes_of_tips(const std::vector<Index>& faces)
+  {
+    std::vector<double> to_nearest_tip(m_graphs.coarse.graph.number_of_nodes(),
+                                       (std::numeric_limits<double>::max)());
+    std::vector<Index> tips;
+    while (!faces.empty() && tips.size() < (std::max)(faces.size(), least_number_of_tips))
+    {
+      const auto farthest = std::max_element(to_nearest_tip.begin(), to_nearest_tip.end());
+      tips.push_back(tips.size() < faces.size() ? m_graphs.coarse.node[faces[tips.size()]]
+                                                : static_cast<Index>(farthest - to_nearest_tip.begin()));
+      const Nodes_by_distance from_tip = m_tip_orders.from_tip(m_best.front().segments.front(), tips.back());
+      for (std::size_t i = 0; i < from_tip.nodes.size(); ++i)
+        to_nearest_tip[from_tip.nodes[i]] = (std::min)(to_nearest_tip[from_tip.nodes[i]], from_tip.distances[i]);
+    }
+    return tips;
+  }
+
   std::optional<Cut> cut_of_tip(Index s, Index tip, const std::vector<Index>& tips)
   {
     std::vector<bool> is_other_tip(m_graphs.coarse.graph.number_of_nodes(), false);
-    for (Index face : tips)
-      is_other_tip[m_graphs.coarse.node[face]] = m_graphs.coarse.node[face] != tip; // two tips in one node are one
+    for (Index other : tips)
+      is_other_tip[other] = other != tip; // two tips in one node are one
     const auto has_this_tip_only = [&](const Nodes& nodes)
     {
-      return std::find(nodes.begin(), nodes.end(), tip) != nodes.end() &&
+      return 2 * m_partition.area(nodes) <= 1 && std::find(nodes.begin(), nodes.end(), tip) != nodes.end() &&
              std::none_of(nodes.begin(), nodes.end(), [&](Index i) { return is_other_tip[i]; });
     };
     std::vector<Nodes> orders = orders_of(s);
@@ -210,7 +230,7 @@ private:
     const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
     std::optional<Cut> best;
     for (Cut& cut : m_search.cuts(s, m_pool[s].nodes, orders, has_this_tip_only))
-      if (has_this_tip_only(cut.inner) && (!best || cut.probability > best->probability))
+      if (has_this_tip_only(cut.inner) && (!best || cut.value > best->value))
         best = std::move(cut);
     return best;
   }

@@ -80,7 +80,6 @@ public:
   // implausible tips are accepted and the least prominence is halved, again and again.
   Nested_segments with_number_of_segments(std::size_t k)
   {
-    constexpr double least_prominence = 0.01; // a diameter that grows by 1 % over 5 slots does not grow
     split_all(k);
     m_conditions.accepts_implausible_tips = true;
     for (; m_conditions.minimum_prominence > least_prominence; m_conditions.minimum_prominence /= 2)
@@ -112,13 +111,15 @@ public:
       const Next_segment progress(m_execution, s, tips_of_segment.size());
       Segment_surface segment = make_segment(s);
       record_given_tips(segment, tips_of_segment[s]);
-      cut_off_all(segment, find_borders(s, tips_of_segment[s].size(), tips_of_segment[s].size()));
+      cut_off_all(segment, find_borders_of_given_tips(s, tips_of_segment[s].size()));
       m_observer.distances_computed(segment.distances->number_of_runs());
     }
     return std::move(m_segments);
   }
 
 private:
+  static constexpr double least_prominence = 0.01; // a diameter that grows by 1 % over 5 slots does not grow
+
   // A tip of a segment by its number, and its border.
   using Tip_border = std::pair<std::size_t, Inflection>;
 
@@ -171,7 +172,7 @@ private:
       need_segment();
       select_tips(*segment, wanted);
     }
-    const std::vector<Tip_border> borders = find_borders(id, m_records[id].size(), wanted);
+    const std::vector<Tip_border> borders = find_borders(id, wanted);
     if (!borders.empty())
     {
       need_segment();
@@ -211,13 +212,10 @@ private:
                    m_execution, m_records[segment.id]);
   }
 
-  // The records of tips that were not selected here; `tips` are faces of the whole surface. A tip's protrusion
-  // swallows no other tip, so that a few tips limit it well; where fewer are given, others are added that make
-  // no segments.
+  // The records of tips that were not selected here, faces of the whole surface, and of further ones where there are
+  // few.
   void record_given_tips(Segment_surface& segment, const std::vector<Index>& tips)
   {
-    // a foot and what it shall not swallow: the other feet, the head, the tail
-    constexpr std::size_t least_number_of_tips = 6;
     const Stage_scope stage(m_observer, Stage::TIPS);
     Plane_section section(segment.extracted.surface);
     std::vector<double> to_nearest_tip(segment.extracted.surface.number_of_faces(),
@@ -237,14 +235,34 @@ private:
     }
   }
 
-  // Step 3: those of the first `number_of_tips` tips that have a border, at most `wanted`.
-  std::vector<Tip_border> find_borders(Index id, std::size_t number_of_tips, std::size_t wanted)
+  // Step 3: the tips that have a border, at most `wanted`.
+  std::vector<Tip_border> find_borders(Index id, std::size_t wanted)
   {
     const Stage_scope stage(m_observer, Stage::BORDERS);
     std::vector<Tip_border> borders;
-    for (std::size_t i = 0; i < number_of_tips && borders.size() < wanted; ++i)
+    for (std::size_t i = 0; i < m_records[id].size() && borders.size() < wanted; ++i)
       if (const std::optional<Inflection> border = border_of_tip(m_records[id], i, m_conditions))
         borders.push_back({i, *border});
+    return borders;
+  }
+
+  // Who picks a tip wants its protrusion: the conditions are relaxed for each tip until it has one, but no protrusion
+  // takes more than half of the segment.
+  std::vector<Tip_border> find_borders_of_given_tips(Index id, std::size_t number_of_tips)
+  {
+    const Stage_scope stage(m_observer, Stage::BORDERS);
+    std::vector<Tip_border> borders;
+    for (std::size_t i = 0; i < number_of_tips; ++i)
+    {
+      Border_conditions conditions = m_conditions;
+      conditions.accepts_implausible_tips = true;
+      conditions.largest_share = 0.5;
+      std::optional<Inflection> border;
+      for (; !border && conditions.minimum_prominence > least_prominence; conditions.minimum_prominence /= 2)
+        border = border_of_tip(m_records[id], i, conditions);
+      if (border)
+        borders.push_back({i, *border});
+    }
     return borders;
   }
 

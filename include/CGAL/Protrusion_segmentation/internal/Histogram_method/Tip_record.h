@@ -58,6 +58,7 @@ struct Border_conditions
   double minimum_prominence;
   bool uses_candidate_intervals;
   bool accepts_implausible_tips;
+  double largest_share = 1; // of the faces that a protrusion may have
 };
 
 // The distance from tip `i` to the nearest other tip in use.
@@ -87,6 +88,8 @@ inline std::optional<Inflection> border_of_tip(const Tip_records& records,
   {
     if (inflection.prominence < conditions.minimum_prominence)
       break;
+    if (record.histogram.share_before(inflection.slot) > conditions.largest_share)
+      continue;
     if ((!conditions.uses_candidate_intervals || contains(intervals, inflection.slot)) &&
         record.histogram.slot_begin(inflection.slot) < to_nearest_tip)
       return inflection;

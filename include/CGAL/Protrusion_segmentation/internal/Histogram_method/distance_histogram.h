@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -35,6 +36,13 @@ struct Distance_histogram
       return 0;
     return (std::min)(static_cast<std::size_t>(number_of_slots * (distance / range)),
                       number_of_slots - 1);
+  }
+  // the share of the faces in the slots before a slot
+  double share_before(std::size_t slot) const
+  {
+    const auto begin = counts.begin();
+    return static_cast<double>(std::accumulate(begin, begin + static_cast<std::ptrdiff_t>(slot), std::size_t(0))) /
+           static_cast<double>(std::accumulate(begin, counts.end(), std::size_t(0)));
   }
   // the distance at which a slot begins
   double slot_begin(std::size_t slot) const { return range * static_cast<double>(slot) / number_of_slots; }

@@ -7,11 +7,17 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
+
+// A tip's protrusion holds no other tip. Where fewer tips than that are picked, further ones, as far as can be from all
+// others, are added that make no segments: a foot and what its protrusion shall not swallow, the other feet, the head
+// and the tail.
+constexpr std::size_t least_number_of_tips = 6;
 
 // Picked tips without those that mean the same protrusion as an earlier one: the same face again, or a face that
 // shares a vertex with it. Nobody tells two tips so near apart, and no border fits between them.
