@@ -29,12 +29,14 @@ namespace CGAL {
 
 splits a surface mesh into a body and its protrusions, by a method of choice.
 
-Segment ids are 0 to n-1, where n is the returned number. Every segment is a connected set of faces.
-Connected components have the first ids. The ids depend on where the faces are and not on the order of
-`faces(tmesh)`, except for faces with the same centroid. Every border then splits one segment
-in two; the protrusion that it cuts off gets the next id and the rest keeps the old one. For
-`Minimum_cut_method` the protrusion is the side of smaller area, for `Histogram_method` the side of the tip. So
-what remains of a component in the end, its body, has the id of the component.
+Segment ids are 0 to n-1, where n is the returned number. Every segment is a connected set of faces. The first ids
+are those of the bodies, one in each connected component; the others are those of protrusions, in the order in which
+their borders were chosen. The ids depend on where the faces are and not on the order of `faces(tmesh)`, except for
+faces with the same centroid.
+
+For `Minimum_cut_method` the body of a component is the segment without which no connected piece of it has more than
+half of its area. So what lies beyond a border, seen from the body, is never the larger side. For `Histogram_method`
+the protrusion is the side of the tip, and the body is what is left.
 
 A mesh of several connected components has at least as many segments, even if fewer were asked for. It may
 have fewer segments than asked for if no more borders are found.
@@ -350,9 +352,10 @@ std::size_t segmentation_from_protrusion_tips(const FaceGraph& tmesh,
 
 computes the hierarchy of nested protrusions by a method of choice: one call that serves every number of segments.
 
-For `Minimum_cut_method`, the segmentation of the hierarchy for every k is the one of
-`segmentation_via_protrusion_tips()`. `Histogram_method` looks for several borders at once when several segments are
-missing, so that only the segmentation for the maximum number is the same.
+The segmentation of the hierarchy for its maximum number of segments is the one of
+`segmentation_via_protrusion_tips()` for that number. Those for smaller numbers follow from it by giving protrusions
+back, so that all are nested; `segmentation_via_protrusion_tips()` for a smaller number may find borders that are
+better together.
 
 \tparam ConcurrencyTag, FaceGraph, Number, Method as for `segmentation_via_protrusion_tips()`
 

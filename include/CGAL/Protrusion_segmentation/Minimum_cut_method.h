@@ -26,18 +26,22 @@ The default method: borders along concave seams.
 
 A cut costs its length, little where it runs along a concave seam. Candidates are those level sets of the
 distances from protrusion tips that cost least for the area that they cut off. Where the minimum cut in a band
-around a candidate is better, it takes its place. The value of a cut is estimated from how much of it lies in a
-concave seam, its length, how suddenly the surface widens behind it and the areas on both sides. The best cut of
-all segments splits its segment; so the segmentations for different numbers of segments are nested. Without a
-number of segments, the method stops when no cut has an evident value.
+around a candidate is better, it takes its place. The value of a cut is estimated from a dozen clues: how much of it
+lies in a concave seam, its length, how suddenly the surface widens behind it, how round it is and others, and from
+the areas on both sides. The cuts are chosen together: the three best sets of cuts are kept while segments are added,
+each tried with its four best further cuts, and the set with the largest sum of values wins. Without a number of
+segments, it is the one with the largest sum of what the values exceed the least evident value by. In the end, the
+borders between all neighbouring segments become minimum cuts once more, on the faces.
 
-The smaller side of a cut is the protrusion. From given tips, each cuts off the protrusion with the most probable
-border that has this tip and no other one.
+Every connected component is judged by itself, in its own unit of length; with a number of segments given, each
+further segment goes to the component where it brings most. From given tips, each cuts off the protrusion with the best
+border that has this tip, no other one, and no more than half of the component's area; where fewer than six tips are
+given on a component, further ones, as far as can be from all others, count for that, but make no segments.
 
 Cuts are searched on a coarse graph of some two thousand nodes, so that the time for a cut hardly depends on
 the number of faces. By default tips and level sets are those of a distance that the method measures on that graph,
 where ways across concave seams are longer than they are on the surface. With a distance of choice, they are those
-of the distance on the faces. Segments of less than 0.25 % of the area of the surface are not cut off: with a large
+of the distance on the faces. Segments of less than 0.25 % of the area of a component are not cut off: with a large
 number of segments there may be fewer than asked for.
 
 Complexity: normals are averaged by some dozen passes over the faces, the more the finer the mesh; then coarsening

@@ -22,12 +22,12 @@ template <typename FaceDescriptor>
 struct Protrusion
 {
   std::size_t segment;    ///< the id of the protrusion's segment
-  std::size_t parent;     ///< the id of the segment that it was cut from
+  std::size_t parent;     ///< the id of the segment that it sticks out of
   FaceDescriptor tip;     ///< the face at its tip
   double border_distance; ///< the distance of the border from the tip
   double value;           ///< how good the border is: its prominence or its value, as its method defines it
-  double area;            ///< the area of the protrusion when it was cut off
-  double border_length;   ///< the length of the border when it was cut
+  double area;            ///< the area beyond the border: of the segment and of all that sticks out of it
+  double border_length;   ///< the length of the border between that and the rest
 
   /// the slot of the border, see Section III.D.3; `no_slot()` for methods without histograms
   std::size_t border_slot = no_slot();

@@ -24,9 +24,9 @@ namespace Protrusion_segmentation {
 The nested protrusions of a surface (Figure 1 of the paper) as a tree, and with it the segmentations for every
 number of segments.
 
-Segments are numbered in the order in which they were cut off. Each was cut from its parent, which has a
-lower number; so the segmentation with one segment less is found by giving the last segment back to its
-parent. An object of this class is made by `CGAL::protrusion_hierarchy()` and keeps no reference to the mesh.
+The bodies of the connected components have the first numbers, one each. The other segments are protrusions, in the
+order in which their borders were chosen; each sticks out of its parent. The segmentation with one segment less is
+found by giving the last segment to its parent, and what sticks out of it as well. An object of this class is made by `CGAL::protrusion_hierarchy()` and keeps no reference to the mesh.
 */
 class Segment_hierarchy
 {
@@ -37,8 +37,8 @@ public:
   /// \return the largest number of segments
   std::size_t maximum_number_of_segments() const { return m_parents.size(); }
 
-  /// \return the segment from which `segment` was cut off; `segment` itself if it is the body of a
-  ///         component
+  /// \return the segment out of which `segment` sticks, which may have a higher number; `segment` itself if it is the
+  ///         body of a component
   /// \param segment below `maximum_number_of_segments()`
   /// \throw std::out_of_range if there is no such segment
   std::size_t parent(std::size_t segment) const { return m_parents.at(segment); }

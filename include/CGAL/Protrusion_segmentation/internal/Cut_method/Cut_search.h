@@ -154,7 +154,7 @@ private:
   // The cut around a set of nodes or the minimum cut near it, both sides connected.
   Cut refined(Index segment, const Nodes& nodes, const Nodes& set, double segment_area)
   {
-    constexpr Band band = {0.35, 2, 0.7};
+    constexpr Band band = {0.35, 1.4, 0.7};
     m_partition.mark(nodes, set);
     Cut cut;
     cut.inner = set;

@@ -69,7 +69,7 @@ private:
   // While a border moves, both segments are one, with two sides: the smaller one is the inner.
   void refine(Index s, Index t)
   {
-    constexpr Band band = {0.05, 2, 0.7};
+    constexpr Band band = {0.05, 1.4, 0.7};
     if (m_partition.area(m_faces[s]) > m_partition.area(m_faces[t]))
       std::swap(s, t);
     Nodes both;

@@ -155,9 +155,11 @@ inline Graph_partition::Nodes band_of_cut(Graph_partition& partition,
   const Nodes_by_distance inner_side = partition.nodes_by_distance_on_side(inside, segment, true, length);
   const double inner_width = band.inner * inner_side.distances.back();
   take_up_to(inner_side, inner_width);
+  const double outer_width = band.outer * inner_width;
+  // how much deeper the outer side is makes no difference
   const Nodes_by_distance outer_side =
-    partition.nodes_by_distance_on_side(outside, segment, false, length, band.outer * inner_width);
-  take_up_to(outer_side, (std::min)(band.outer * inner_width, band.outermost * outer_side.distances.back()));
+    partition.nodes_by_distance_on_side(outside, segment, false, length, outer_width / band.outermost);
+  take_up_to(outer_side, (std::min)(outer_width, band.outermost * outer_side.distances.back()));
   return nodes;
 }
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Edge_conductances.h>
 
 #include <algorithm>
 #include <array>
@@ -33,9 +34,7 @@ public:
   Diffusion(const Indexed_surface& surface, double time)
     : m_surface(surface), m_diagonal(surface.number_of_faces()), m_preconditioner(surface.number_of_faces())
   {
-    // slivers: centroids that nearly coincide would make a huge weight and a slow solver
-    const double mean_edge = std::sqrt(surface.area() / (std::max)(surface.number_of_faces(), Index(1)));
-    const double shortest = 0.01 * mean_edge;
+    const Edge_conductances conductance(surface);
     m_weights.assign(surface.number_of_corners(), 0);
     for (Index f = 0; f < surface.number_of_faces(); ++f)
     {
@@ -43,9 +42,7 @@ public:
       for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
         if (surface.neighbor(c) != Indexed_surface::no_face())
         {
-          const double distance = surface.arc_length(f, surface.neighbor(c));
-          m_weights[c] = static_cast<float>(time * surface.edge_length(f, c) /
-                                            (std::max)(distance, shortest));
+          m_weights[c] = static_cast<float>(time * conductance(f, c));
           m_diagonal[f] += m_weights[c];
         }
       m_preconditioner[f] = 1 / m_diagonal[f];

@@ -6,11 +6,11 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_RANDOM_WALK_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Edge_conductances.h>
 
 #include <Eigen/Core>
 #include <Eigen/SparseCore>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -29,20 +29,15 @@ struct Random_walk
 // triangle, whatever its size, so that this makes the walk rest nearly in proportion to the areas.
 constexpr double resting_weight = 50;
 
-// The weights W. A face is left over an edge with weight edge length / distance of the centroids: what flows
-// between two cells of a finite volume scheme, or the conductance of a strip. To stay has a weight
-// proportional to the area, so that small faces are left sooner and the walk spreads over the surface alike
-// wherever its faces are small or large, as heat does. No weight depends on the scale of the surface.
-//
-// Lengths below a thousandth of the length of a mean face count as that much: no weight is infinite, and
-// a face without area is left at once.
+// The weights W. A face is left over an edge with the weight of its conductance. To stay has a weight proportional to
+// the area, so that small faces are left sooner and the walk spreads over the surface alike wherever its faces are
+// small or large, as heat does; a face without area is left at once.
 inline Random_walk make_random_walk(const Indexed_surface& surface)
 {
   using Index = Indexed_surface::Index;
   const Index n = surface.number_of_faces();
   const double mean_area = surface.area() / n;
-  const double shortest = 1e-3 * std::sqrt(mean_area);
-  const auto ratio = [](double a, double b) { return b > 0 ? a / b : 1.; }; // 1 where all points are equal
+  const Edge_conductances conductance(surface);
 
   std::vector<Eigen::Triplet<double>> weights;
   weights.reserve(surface.number_of_corners() + n);
@@ -51,16 +46,14 @@ inline Random_walk make_random_walk(const Indexed_surface& surface)
     for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
       if (const Index g = surface.neighbor(c); g != Indexed_surface::no_face())
       {
-        const double length = surface.arc_length(f, g);
-        const double weight =
-          ratio((std::max)(surface.edge_length(f, c), shortest), (std::max)(length, shortest));
+        const double weight = conductance(f, c);
         weights.emplace_back(f, g, -weight);
         leaving[f] += weight;
       }
   Random_walk walk;
   walk.degrees.resize(n);
   for (Index f = 0; f < n; ++f)
-    walk.degrees[f] = leaving[f] + resting_weight * ratio(surface.area(f), mean_area);
+    walk.degrees[f] = leaving[f] + resting_weight * (mean_area > 0 ? surface.area(f) / mean_area : 1);
   for (Index f = 0; f < n; ++f)
     weights.emplace_back(f, f, leaving[f]);
   for (auto& w : weights)
