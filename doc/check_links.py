@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails if a page of the built manual refers to a page, an anchor or a picture that is not there.
 

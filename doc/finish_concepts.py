@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the pages of concepts, which Doxygen takes for classes, say that they are concepts.
 

@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the figures of the user manual from the output of the package's own tools.
 
     doc/make_figures.py FOLDER [--only NAME...]
 
-FOLDER holds the programs segment_by_protrusions and make_example_mesh, for instance
-build/demo/examples/Protrusion_segmentation. Needed besides, all from Debian: f3d and xvfb, which
+FOLDER, or a folder in it, holds the programs segment_by_protrusions and make_example_mesh, for instance
+build/demo. Needed besides, all from Debian: f3d and xvfb, which
 render the pictures, imagemagick, which makes them brighter and small, and chromium, which shows the
 page of --report.
 """
@@ -235,13 +237,14 @@ class Workshop:
     """Runs the tools and keeps what they made."""
 
     def __init__(self, programs, folder):
-        self.programs = programs
+        self.programs = {name: next(file for file in sorted(programs.rglob(name)) if file.is_file())
+                         for name in ("make_example_mesh", "segment_by_protrusions")}
         self.folder = folder
 
     def mesh_file(self, shape):
         file = self.folder / f"{shape}.off"
         if not file.exists():
-            subprocess.run([self.programs / "make_example_mesh", shape, file, "--faces", str(FACES)],
+            subprocess.run([self.programs["make_example_mesh"], shape, file, "--faces", str(FACES)],
                            check=True, stdout=subprocess.DEVNULL)
         return file
 
@@ -250,7 +253,7 @@ class Workshop:
         k = str(segments or SHAPES[shape][0])
         out = self.folder / "_".join([shape, k, *map(str, options)]).replace("/", "-")
         files = {kind: out.with_suffix(out.suffix + kind) for kind in (".off", ".seg", ".json")}
-        subprocess.run([self.programs / "segment_by_protrusions", self.mesh_file(shape), "-k", k,
+        subprocess.run([self.programs["segment_by_protrusions"], self.mesh_file(shape), "-k", k,
                         "-o", files[".off"], "-o", files[".seg"], "--json", files[".json"],
                         "--quiet", *options], check=True)
         ids = [int(line) for line in files[".seg"].read_text(encoding="ascii").split()]

@@ -1,4 +1,6 @@
 #!/usr/bin/env python3
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Brings the figures of the user manual and of the README up to date, none of which is typed.
 
@@ -14,7 +16,7 @@ how to measure.
 Constants: in table rows that begin with "| `FILE.h`, `NAME` |" the second column is the value that
 NAME is set to in that header.
 
-Output of the examples: with --programs FOLDER, the folder of the built examples, what an example
+Output of the examples: with --programs FOLDER, a folder in which examples and tools were built, what an example
 prints for a shape of make_example_mesh replaces what is between the lines
 
     <!-- begin output of EXAMPLE for SHAPE -->
@@ -83,20 +85,28 @@ def measurements(pattern, heading):
 def constant(header, name, old_value):
     """The value; where it is not found, an error is printed and the old one stays."""
     text = "".join(file.read_text(encoding="utf-8") for file in HEADERS.rglob(header))
-    found = re.search(rf"\b{name}(?:\(\))? *(?:=|\{{ *return) *(-?[\d.][^;]*);", text)
+    found = re.search(rf"\b{name}(?:\(\)(?: const)?)? *(?:=|\{{ *return) *(-?[\d.][^;]*);", text)
     if not found:
         errors.append(f"{MANUAL.name}: {header} has no constant {name}")
     return found.group(1) if found else old_value
+
+
+def program(folder, name):
+    """The built program of that name in the folder or the folders in it."""
+    for file in sorted(folder.rglob(name)):
+        if file.is_file():
+            return file
+    sys.exit(f"{folder} has no program {name}")
 
 
 def output(programs, example, shape):
     """What the example prints. Its last argument, if it wants one, is the name of a .seg file."""
     with tempfile.TemporaryDirectory() as folder:
         mesh, segments = f"{folder}/{shape}.off", f"{folder}/{shape}.seg"
-        subprocess.run([programs / "make_example_mesh", shape, mesh], check=True,
+        subprocess.run([program(programs, "make_example_mesh"), shape, mesh], check=True,
                        stdout=subprocess.DEVNULL)
         writes = "write_SEG" in (EXAMPLES / f"{example}.cpp").read_text(encoding="utf-8")
-        result = subprocess.run([programs / example, mesh] + ([segments] if writes else []),
+        result = subprocess.run([program(programs, example), mesh] + ([segments] if writes else []),
                                 check=True, capture_output=True, text=True)
     lines = result.stdout.splitlines()
     if len(lines) > LONGEST_OUTPUT:
@@ -136,7 +146,7 @@ def updated(text, programs):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
-    parser.add_argument("--programs", type=pathlib.Path, help="folder of the built examples")
+    parser.add_argument("--programs", type=pathlib.Path, help="folder with the built examples and tools")
     arguments = parser.parse_args()
     programs = arguments.programs and arguments.programs.resolve()
     for file, update in ((MANUAL, lambda text: updated(text, programs)), (README, updated_readme)):

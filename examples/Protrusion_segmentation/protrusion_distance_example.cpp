@@ -1,9 +1,11 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // protrusion_distance_example MESH SEGMENTATION
 //
 // A distance of one's own: ways across bent edges are longer, so that its level sets, and with them
-// the borders, gather where the surface is bent.
+// the borders, gather where the surface is bent. The paper's method gets it in place of its own.
 
 #include <CGAL/IO/SEG.h>
 #include <CGAL/Simple_cartesian.h>
@@ -19,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
+#include <exception>
 #include <iostream>
 #include <vector>
 
@@ -32,11 +35,12 @@ struct Bent_distance
   class On_surface
   {
   public:
-    explicit On_surface(const Indexed_surface& part) : m_graph(part.dual_graph())
+    explicit On_surface(const Indexed_surface& surface) : m_graph(surface.dual_graph())
     {
       for (const auto arc : CGAL::make_range(edges(m_graph)))
       {
-        const auto a = part.area_vector(source(arc, m_graph)), b = part.area_vector(target(arc, m_graph));
+        const auto a = surface.area_vector(source(arc, m_graph));
+        const auto b = surface.area_vector(target(arc, m_graph));
         const double areas = std::sqrt(a.squared_length() * b.squared_length());
         const double bend = areas > 0 ? 1 - a * b / areas : 0; // 0 flat, 1 a right angle, 2 folded
         m_lengths.push_back(m_graph[arc].length * (1 + 20 * bend));
@@ -47,15 +51,12 @@ struct Bent_distance
     {
       distances.resize(num_vertices(m_graph));
       boost::dijkstra_shortest_paths(
-          m_graph, source,
-          boost::distance_map(boost::make_iterator_property_map(distances.begin(),
-                                                                get(boost::vertex_index, m_graph)))
-              .weight_map(boost::make_iterator_property_map(m_lengths.begin(),
-                                                            get(boost::edge_index, m_graph))));
-      ++m_number_of_runs;
+        m_graph, source,
+        boost::distance_map(boost::make_iterator_property_map(distances.begin(),
+                                                              get(boost::vertex_index, m_graph)))
+          .weight_map(boost::make_iterator_property_map(m_lengths.begin(),
+                                                        get(boost::edge_index, m_graph))));
     }
-
-    std::size_t number_of_runs() const { return m_number_of_runs; }
 
     // Optional, but without it distances are computed from every face. An end of the longest way found
     // in two steps is at the tip of a protrusion, too.
@@ -67,7 +68,7 @@ struct Bent_distance
       {
         (*this)(farthest, distances);
         farthest = static_cast<Indexed_surface::Index>(
-            std::max_element(distances.begin(), distances.end()) - distances.begin());
+          std::max_element(distances.begin(), distances.end()) - distances.begin());
       }
       return farthest;
     }
@@ -75,10 +76,13 @@ struct Bent_distance
   private:
     Indexed_surface::Dual_graph m_graph;
     std::vector<double> m_lengths; // of the arcs
-    std::size_t m_number_of_runs = 0;
   };
 
-  On_surface on(const Indexed_surface& part, unsigned int /* random_seed */) const { return On_surface(part); }
+  // An Execution has the random seed and knows whether to stop; this distance is not random and soon ready.
+  On_surface on(const Indexed_surface& surface, CGAL::Protrusion_segmentation::Execution& /* execution */) const
+  {
+    return On_surface(surface);
+  }
 };
 
 int main(int argc, char* argv[])
@@ -89,16 +93,25 @@ int main(int argc, char* argv[])
     std::cerr << "protrusion_distance_example: needs a mesh and the name of a .seg file" << std::endl;
     return EXIT_FAILURE;
   }
-  const std::size_t k = 7;
-  const CGAL::Protrusion_segmentation::Histogram_method border;
-  auto usual = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:usual").first;
-  auto own = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:own").first;
-  CGAL::segmentation_via_protrusion_tips(
-      mesh, usual, k, CGAL::Protrusion_segmentation::Geodesic_distance(), border);
-  const std::size_t n = CGAL::segmentation_via_protrusion_tips(mesh, own, k, Bent_distance(), border);
 
-  // Segments may be numbered differently, so it is pairs of faces that are compared.
-  std::cout << n << " segments, and for a share of " << CGAL::segmentation_rand_index_error(mesh, usual, own)
-            << " of all pairs of faces the distances disagree whether they belong together\n";
-  return CGAL::IO::write_SEG(argv[2], mesh, own) ? EXIT_SUCCESS : EXIT_FAILURE;
+  try
+  {
+    using CGAL::Protrusion_segmentation::Histogram_method;
+    auto usual = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:usual").first;
+    auto own = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:own").first;
+    CGAL::segmentation_via_protrusion_tips(mesh, usual, 7, Histogram_method());
+    const std::size_t n =
+      CGAL::segmentation_via_protrusion_tips(mesh, own, 7, Histogram_method(Bent_distance()));
+
+    // Segments may be numbered differently, so it is pairs of faces that are compared.
+    std::cout << n << " segments, and for a share of "
+              << CGAL::segmentation_rand_index_error(mesh, usual, own)
+              << " of all pairs of faces the distances disagree whether they belong together\n";
+    return CGAL::IO::write_SEG(argv[2], mesh, own) ? EXIT_SUCCESS : EXIT_FAILURE;
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "protrusion_distance_example: " << error.what() << std::endl;
+    return EXIT_FAILURE;
+  }
 }

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // protrusion_tips_example MESH SEGMENTATION
@@ -31,11 +33,8 @@ int main(int argc, char* argv[])
 
   try
   {
-    const CGAL::Protrusion_segmentation::Geodesic_distance distance;
-    const CGAL::Protrusion_segmentation::Minimum_cut_method border;
-
     std::vector<Face> tips;
-    CGAL::protrusion_tips(mesh, 6, std::back_inserter(tips), distance);
+    CGAL::protrusion_tips(mesh, 6, std::back_inserter(tips));
     std::cout << tips.size() << " tips, at the faces";
     for (const Face tip : tips)
       std::cout << " " << tip.idx();
@@ -44,8 +43,8 @@ int main(int argc, char* argv[])
 
     auto segments = mesh.add_property_map<Face, std::size_t>("f:segment").first;
     std::cout << "\n"
-              << CGAL::segmentation_from_protrusion_tips(mesh, tips, segments, distance, border)
-              << " segments from " << tips.size() << " of them" << std::endl;
+              << CGAL::segmentation_from_protrusion_tips(mesh, tips, segments) << " segments from "
+              << tips.size() << " of them" << std::endl;
     return CGAL::IO::write_SEG(argv[2], mesh, segments) ? EXIT_SUCCESS : EXIT_FAILURE;
   }
   catch (const std::exception& error)

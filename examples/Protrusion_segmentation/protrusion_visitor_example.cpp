@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // protrusion_visitor_example MESH
@@ -21,18 +23,24 @@
 #include <vector>
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Face = Mesh::Face_index;
 using CGAL::Protrusion_segmentation::Protrusion;
 
-class Watcher : public CGAL::Protrusion_segmentation::Default_visitor
+class Watcher : public CGAL::Protrusion_segmentation::Segmentation_visitor<Mesh>
 {
 public:
-  void progress(double share) { std::cout << "progress " << share << "\n"; }
+  void on_progress(double share) override
+  {
+    if (share < m_next_share)
+      return;
+    std::cout << "progress " << share << "\n";
+    m_next_share = share + 0.1;
+  }
 
   // a bar for every fourth slot: the number of faces at that distance from the tip
-  void protrusion_found(const Protrusion& protrusion)
+  void on_protrusion(const Protrusion<Face>& protrusion) override
   {
-    std::cout << "segment " << protrusion.segment << " with its tip at face " << protrusion.tip
-              << "\n";
+    std::cout << "segment " << protrusion.segment << " with its tip at face " << protrusion.tip.idx() << "\n";
     const std::vector<std::size_t>& histogram = protrusion.distance_histogram;
     for (std::size_t slot = 0; slot < histogram.size(); slot += 4)
     {
@@ -44,11 +52,12 @@ public:
     }
   }
 
-  bool go_further() { return std::chrono::steady_clock::now() < m_end; }
+  bool go_further() override { return std::chrono::steady_clock::now() < m_end; }
 
 private:
+  double m_next_share = 0;
   std::chrono::steady_clock::time_point m_end =
-      std::chrono::steady_clock::now() + std::chrono::seconds(5);
+    std::chrono::steady_clock::now() + std::chrono::seconds(5);
 };
 
 int main(int argc, char* argv[])
@@ -64,10 +73,9 @@ int main(int argc, char* argv[])
   {
     auto segments = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
     Watcher watcher;
+    const CGAL::Protrusion_segmentation::Histogram_method method; // the one that has histograms
     const std::size_t number_of_segments = CGAL::segmentation_via_protrusion_tips(
-        mesh, segments, 7, CGAL::Protrusion_segmentation::Geodesic_distance(),
-        CGAL::Protrusion_segmentation::Histogram_method(), // the method that has histograms
-        CGAL::parameters::visitor(std::ref(watcher)));
+      mesh, segments, 7, method, CGAL::parameters::visitor(std::ref(watcher)));
     if (number_of_segments == 0)
       std::cout << "stopped, nothing is segmented" << std::endl;
     else

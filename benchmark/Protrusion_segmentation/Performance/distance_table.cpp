@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "measure.h"
@@ -25,26 +27,30 @@ public:
   class On_surface : public PS::internal::Shortest_distances
   {
   public:
-    explicit On_surface(const PS::Indexed_surface& part)
-      : PS::internal::Shortest_distances(part), m_part(part)
+    On_surface(const PS::Indexed_surface& surface, PS::Execution& execution)
+      : PS::internal::Shortest_distances(surface), m_surface(surface), m_execution(execution)
     {}
 
     Index face_of_largest_sum()
     {
-      return PS::internal::largest_distance_sum_of_all_pairs(m_part, *this);
+      return PS::internal::largest_distance_sum_of_all_pairs(m_surface, *this, m_execution);
     }
 
   private:
-    const PS::Indexed_surface& m_part;
+    const PS::Indexed_surface& m_surface;
+    PS::Execution& m_execution;
   };
 
-  On_surface on(const PS::Indexed_surface& part, unsigned int) const { return On_surface(part); }
+  On_surface on(const PS::Indexed_surface& surface, PS::Execution& execution) const
+  {
+    return On_surface(surface, execution);
+  }
 };
 
-struct Run_counter : PS::Default_visitor
+struct Run_counter : PS::Segmentation_visitor<Mesh>
 {
   std::size_t runs = 0;
-  void distances_computed(std::size_t number_of_runs) { runs += number_of_runs; }
+  void on_distances(std::size_t number_of_runs) override { runs += number_of_runs; }
 };
 
 struct Measurement
@@ -64,8 +70,8 @@ Measurement measure(const Model& model, const Distance& distance, std::size_t re
                {
                  counter.runs = 0;
                  CGAL::segmentation_via_protrusion_tips(
-                   model.mesh, CGAL::make_property_map(labels), model.number_of_segments, distance,
-                   PS::Histogram_method(), CGAL::parameters::visitor(std::ref(counter)));
+                   model.mesh, CGAL::make_property_map(labels), model.number_of_segments,
+                   PS::Histogram_method(distance), CGAL::parameters::visitor(std::ref(counter)));
                });
   return {seconds, counter.runs};
 }
@@ -118,30 +124,30 @@ std::vector<Row> rows()
 void print_rows(const std::vector<Model>& models, bool are_large, std::size_t repetitions)
 {
   std::vector<std::string> header(1, "distance");
-  for(const Model& model : models)
+  for (const Model& model : models)
   {
     const std::string name = "model " + std::to_string(model.number) + " (" +
                              std::to_string(model.mesh.number_of_faces()) + " faces)";
     header.insert(header.end(), {name + " [s]", "runs", "ratio to ours"});
-    if(!are_large)
+    if (!are_large)
       header.push_back("paper [s]");
   }
   const Markdown_table table(header);
   std::vector<double> ours(models.size(), 0);
-  for(const Row& row : rows())
+  for (const Row& row : rows())
   {
-    if(are_large && !row.is_for_large_meshes)
+    if (are_large && !row.is_for_large_meshes)
       continue;
     std::vector<std::string> cells(1, row.name);
-    for(std::size_t i = 0; i < models.size(); ++i)
+    for (std::size_t i = 0; i < models.size(); ++i)
     {
       const bool is_slow = !row.is_for_large_meshes || are_large;
       const Measurement measurement = row.measure(models[i], is_slow ? 1 : repetitions);
-      if(ours[i] == 0)
+      if (ours[i] == 0)
         ours[i] = measurement.seconds;
       cells.insert(cells.end(), {number(measurement.seconds), std::to_string(measurement.runs),
                                  number(measurement.seconds / ours[i])});
-      if(!are_large)
+      if (!are_large)
         cells.push_back(row.published.empty() ? "" : number(row.published[i]));
     }
     table.row(cells);

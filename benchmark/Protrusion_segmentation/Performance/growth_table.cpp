@@ -1,13 +1,17 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "measure.h"
 #include "tables.h"
 
-#include <CGAL/Protrusion_segmentation/internal/segment_mesh.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 #include <CGAL/subdivision_method_3.h>
 
 #include <iostream>
+#include <utility>
 
 namespace {
 
@@ -17,11 +21,13 @@ namespace PS = CGAL::Protrusion_segmentation;
 // the median of ten.
 double nanoseconds_per_run(const Mesh& mesh)
 {
-  const PS::internal::Canonical_surface surface(mesh, CGAL::parameters::default_values());
-  PS::internal::Shortest_distances shortest_distances(surface.part);
+  PS::internal::Arrays_of_mesh arrays = PS::internal::read_surface(mesh, CGAL::parameters::default_values());
+  const PS::internal::Canonical_surface canonical(std::move(arrays.surface), arrays.unit);
+  const PS::Indexed_surface& surface = canonical.surface();
+  PS::internal::Shortest_distances shortest_distances(surface);
   std::vector<double> distances;
   PS::Indexed_surface::Index source = 0;
-  const PS::Indexed_surface::Index n = surface.part.number_of_faces();
+  const PS::Indexed_surface::Index n = surface.number_of_faces();
   return 1e9 / n *
          seconds_of(10,
                     [&]
@@ -44,12 +50,12 @@ void print_growth_table(const Options& options, const Benchmark_folder& folder)
   Model model = folder.read_model(options.growth_model);
   const std::vector<Segmentation_method> methods = methods_to_measure(options);
   std::vector<std::string> header = {"faces", "Dijkstra run [ns / face]", "times the first"};
-  for(const Segmentation_method& method : methods)
-    for(const char* unit : {" [s]", " [us / face]", " [bytes / face]"})
+  for (const Segmentation_method& method : methods)
+    for (const char* unit : {" [s]", " [us / face]", " [bytes / face]"})
       header.push_back(method.name + unit);
   const Markdown_table table(header);
   double first = 0;
-  for(; model.mesh.number_of_faces() <= options.largest_growth;
+  for (; model.mesh.number_of_faces() <= options.largest_growth;
       CGAL::Subdivision_method_3::Loop_subdivision(model.mesh,
                                                    CGAL::parameters::number_of_iterations(1)))
   {
@@ -57,7 +63,7 @@ void print_growth_table(const Options& options, const Benchmark_folder& folder)
     const double per_run = nanoseconds_per_run(model.mesh);
     first = first > 0 ? first : per_run;
     std::vector<std::string> cells = {number(n, 0), number(per_run), number(per_run / first)};
-    for(const Segmentation_method& method : methods)
+    for (const Segmentation_method& method : methods)
     {
       double seconds = 0;
       const double bytes = peak_bytes_of(

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The inner loops on meshes built in code, with Google Benchmark:
@@ -6,9 +8,10 @@
 
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/read_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Histogram_method/sectional_diameter_histogram.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/sectional_diameter_histogram.h>
+#include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -20,6 +23,7 @@
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -35,33 +39,34 @@ Mesh bumpy_sphere(int level)
   Mesh mesh;
   CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
   CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(level));
-  for(const auto v : vertices(mesh))
+  for (const auto v : vertices(mesh))
   {
     const auto direction = mesh.point(v) - CGAL::ORIGIN;
     const double length = std::sqrt(direction.squared_length());
     double largest = 0;
-    for(int axis = 0; axis < 3; ++axis)
+    for (int axis = 0; axis < 3; ++axis)
       largest = std::max(largest, std::abs(direction[axis]) / length);
     mesh.point(v) = CGAL::ORIGIN + direction * ((1 + std::pow(largest, 40)) / length);
   }
   return mesh;
 }
 
-auto surface(const benchmark::State& state)
+PS::Indexed_surface surface(const benchmark::State& state)
 {
-  return PS::internal::read_surface(bumpy_sphere(int(state.range(0))),
-                                         CGAL::parameters::default_values());
+  PS::internal::Arrays_of_mesh arrays = PS::internal::read_surface(bumpy_sphere(int(state.range(0))),
+                                                                   CGAL::parameters::default_values());
+  return std::move(arrays.surface).to_surface();
 }
 
-void count_faces(benchmark::State& state, const PS::Indexed_surface& part)
+void count_faces(benchmark::State& state, const PS::Indexed_surface& surface)
 {
-  state.SetItemsProcessed(state.iterations() * part.number_of_faces());
+  state.SetItemsProcessed(state.iterations() * surface.number_of_faces());
 }
 
 void read_surface(benchmark::State& state)
 {
   const Mesh mesh = bumpy_sphere(int(state.range(0)));
-  for(auto _ : state)
+  for (auto _ : state)
     benchmark::DoNotOptimize(
       PS::internal::read_surface(mesh, CGAL::parameters::default_values()));
   state.SetItemsProcessed(state.iterations() * std::int64_t(mesh.number_of_faces()));
@@ -69,36 +74,37 @@ void read_surface(benchmark::State& state)
 
 void shortest_distances(benchmark::State& state)
 {
-  const auto input = surface(state);
-  PS::internal::Shortest_distances shortest(input.surface);
+  const PS::Indexed_surface input = surface(state);
+  PS::internal::Shortest_distances shortest(input);
   std::vector<double> distances;
-  for(auto _ : state)
+  for (auto _ : state)
     shortest(0, distances);
-  count_faces(state, input.surface);
+  count_faces(state, input);
 }
 
 void shortest_distances_of_boost(benchmark::State& state)
 {
-  const auto input = surface(state);
-  const auto& graph = input.surface.dual_graph();
-  std::vector<double> distances(input.surface.number_of_faces());
-  for(auto _ : state)
+  const PS::Indexed_surface input = surface(state);
+  const auto& graph = input.dual_graph();
+  std::vector<double> distances(input.number_of_faces());
+  for (auto _ : state)
     boost::dijkstra_shortest_paths_no_color_map(
       graph, Index(0),
       boost::weight_map(get(&PS::Indexed_surface::Arc::length, graph))
         .distance_map(boost::make_iterator_property_map(distances.begin(),
                                                         get(boost::vertex_index, graph))));
-  count_faces(state, input.surface);
+  count_faces(state, input);
 }
 
 void face_of_largest_sum(benchmark::State& state)
 {
-  const auto input = surface(state);
+  const PS::Indexed_surface input = surface(state);
   std::size_t runs = 0;
-  for(auto _ : state)
+  PS::Execution execution;
+  for (auto _ : state)
   {
-    PS::internal::Shortest_distances shortest(input.surface);
-    benchmark::DoNotOptimize(PS::internal::largest_distance_sum(input.surface, shortest));
+    PS::internal::Shortest_distances shortest(input);
+    benchmark::DoNotOptimize(PS::internal::largest_distance_sum(input, shortest, execution));
     runs = shortest.number_of_runs();
   }
   state.counters["runs"] = double(runs);
@@ -106,23 +112,25 @@ void face_of_largest_sum(benchmark::State& state)
 
 void landmark_distances(benchmark::State& state)
 {
-  const auto input = surface(state);
-  for(auto _ : state)
-    benchmark::DoNotOptimize(PS::Landmark_geodesic_distance(0.01).on(input.surface, 0));
+  const PS::Indexed_surface input = surface(state);
+  PS::Execution execution;
+  for (auto _ : state)
+    benchmark::DoNotOptimize(PS::Landmark_geodesic_distance(0.01).on(input, execution));
 }
 
 void sections_of_a_tip(benchmark::State& state)
 {
-  const auto input = surface(state);
-  PS::internal::Shortest_distances shortest(input.surface);
+  const PS::Indexed_surface input = surface(state);
+  PS::internal::Shortest_distances shortest(input);
   std::vector<double> distances;
   shortest(0, distances);
   const PS::internal::Slots slots(distances);
-  PS::internal::Plane_section section(input.surface);
-  for(auto _ : state)
+  PS::internal::Plane_section section(input);
+  PS::Execution execution;
+  for (auto _ : state)
     benchmark::DoNotOptimize(
-      PS::internal::sectional_diameter_histogram(input.surface, distances, slots, section));
-  count_faces(state, input.surface);
+      PS::internal::sectional_diameter_histogram(input, distances, slots, section, execution));
+  count_faces(state, input);
 }
 
 BENCHMARK(read_surface)->DenseRange(4, 6)->Unit(benchmark::kMillisecond);

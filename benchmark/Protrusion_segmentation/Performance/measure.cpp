@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "measure.h"
@@ -23,8 +25,8 @@ namespace {
 double status_bytes(const std::string& key)
 {
   std::ifstream in("/proc/self/status");
-  for(std::string line; std::getline(in, line); )
-    if(line.compare(0, key.size(), key) == 0)
+  for (std::string line; std::getline(in, line);)
+    if (line.compare(0, key.size(), key) == 0)
       return 1024 * std::stod(line.substr(key.size()));
   return 0;
 }
@@ -40,7 +42,7 @@ void reset_peak()
 
 void print_row(const std::vector<std::string>& cells)
 {
-  for(const std::string& cell : cells)
+  for (const std::string& cell : cells)
     std::cout << "| " << cell << " ";
   std::cout << "|" << std::endl;
 }
@@ -49,7 +51,7 @@ void print_row(const std::vector<std::string>& cells)
 
 double median(std::vector<double> values)
 {
-  if(values.empty())
+  if (values.empty())
     return 0;
   std::sort(values.begin(), values.end());
   const std::size_t middle = values.size() / 2;
@@ -64,7 +66,7 @@ double mean(const std::vector<double>& values)
 double seconds_of(std::size_t repetitions, const std::function<void()>& call, Clock clock)
 {
   std::vector<double> seconds;
-  for(std::size_t i = 0; i < repetitions; ++i)
+  for (std::size_t i = 0; i < repetitions; ++i)
   {
     CGAL::Real_timer timer;
     timer.start();

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "measure.h"
@@ -35,7 +37,7 @@ double seconds_of_reading(const std::string& path, std::size_t repetitions)
                     [&]
                     {
                       Mesh mesh;
-                      if(!CGAL::IO::read_polygon_mesh(path, mesh))
+                      if (!CGAL::IO::read_polygon_mesh(path, mesh))
                         throw std::runtime_error(path + ": no polygon mesh");
                     });
 }
@@ -48,36 +50,36 @@ void print_comparison(const Options& options, const Benchmark_folder& folder, co
 {
   const std::vector<Segmentation_method> methods = methods_to_measure(options);
   std::vector<std::string> header = {"model", "faces", name + " [ms]"};
-  for(const Segmentation_method& method : methods)
+  for (const Segmentation_method& method : methods)
     header.insert(header.end(), {method.name + " [ms]", ratio_name});
   const Markdown_table table(header);
 
   std::vector<std::vector<double>> columns(header.size());
-  for(const int number_of_model : folder.models(options.models))
+  for (const int number_of_model : folder.models(options.models))
   {
     const Model model = folder.read_model(number_of_model);
     std::vector<double> values = {double(number_of_model), double(model.mesh.number_of_faces()),
                                   reference(model) * 1e3};
-    for(const Segmentation_method& method : methods)
+    for (const Segmentation_method& method : methods)
     {
       values.push_back(1e3 * seconds_of(options.repetitions, [&]
                                         { method.segment(model.mesh, model.number_of_segments, 0); }));
       values.push_back(ratio(values[2], values.back()));
     }
     std::vector<std::string> cells = {std::to_string(number_of_model), number(values[1], 0)};
-    for(std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t i = 0; i < values.size(); ++i)
     {
       columns[i].push_back(values[i]);
-      if(i >= 2)
+      if (i >= 2)
         cells.push_back(number(values[i]));
     }
     table.row(cells);
   }
-  for(const auto& statistic : std::map<std::string, double (*)(const std::vector<double>&)>{
+  for (const auto& statistic : std::map<std::string, double (*)(const std::vector<double>&)>{
         {"mean", mean}, {"median", [](const std::vector<double>& v) { return median(v); }}})
   {
     std::vector<std::string> cells(1, "**" + statistic.first + "**");
-    for(std::size_t i = 1; i < columns.size(); ++i)
+    for (std::size_t i = 1; i < columns.size(); ++i)
       cells.push_back(number(statistic.second(columns[i])));
     table.row(cells);
   }

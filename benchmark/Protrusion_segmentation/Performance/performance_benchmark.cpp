@@ -1,10 +1,13 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Measures the time and the memory of whole segmentations on the meshes of the Princeton Segmentation
-// Benchmark and prints five tables in Markdown, each with its goal:
+// Benchmark and prints six tables in Markdown, each with its goal:
 //
 //   performance_benchmark --folder FOLDER [--tables 1,3] [--models 2,4,10-50] [--methods NAME,...]
 //                         [--repetitions N] [--threads N] [--growth-model N] [--largest-growth FACES]
+//                         [--gap-model N] [--gap-limit SECONDS]
 
 #include "measure.h"
 #include "protrusion_methods.h"
@@ -28,8 +31,8 @@ namespace {
 std::string processor()
 {
   std::ifstream in("/proc/cpuinfo");
-  for(std::string line; std::getline(in, line); )
-    if(line.compare(0, 10, "model name") == 0)
+  for (std::string line; std::getline(in, line);)
+    if (line.compare(0, 10, "model name") == 0)
       return line.substr(line.find(':') + 2);
   return "unknown processor";
 }
@@ -58,8 +61,8 @@ void print_tables(const Options& options)
 {
   const Benchmark_folder folder(options.folder);
   const std::vector<Print_table> tables = {print_distance_table, print_peer_table, print_reading_table,
-                                           print_growth_table, print_thread_table};
-  for(const int table : options.tables)
+                                           print_growth_table, print_thread_table, print_gap_table};
+  for (const int table : options.tables)
   {
     tables.at(std::size_t(table - 1))(options, folder);
     std::cout << std::endl;
@@ -73,11 +76,11 @@ std::vector<Segmentation_method> methods_to_measure(const Options& options)
   const std::vector<Segmentation_method> all = protrusion_methods();
   std::vector<Segmentation_method> result;
   std::istringstream in(options.methods);
-  for(std::string name; std::getline(in, name, ','); )
+  for (std::string name; std::getline(in, name, ',');)
   {
     const auto method = std::find_if(all.begin(), all.end(),
                                      [&](const Segmentation_method& m) { return m.name == name; });
-    if(method == all.end())
+    if (method == all.end())
       throw std::invalid_argument("there is no method '" + name + "'");
     result.push_back(*method);
   }
@@ -92,26 +95,29 @@ int main(int argc, char** argv)
     ->required();
   app.add_option("--models", options.models, "models of tables 2 and 3, such as 2,4,10-50");
   app.add_option("--methods", options.methods, "methods of tables 2 to 4");
-  app.add_option("--tables", options.tables, "tables to print, of 1 to 5")
+  app.add_option("--tables", options.tables, "tables to print, of 1 to 6")
     ->delimiter(',')
-    ->check(CLI::Range(1, 5));
+    ->check(CLI::Range(1, 6));
   app.add_option("--repetitions", options.repetitions, "of each measurement")
     ->check(CLI::PositiveNumber);
   app.add_option("--growth-model", options.growth_model, "the model that table 4 subdivides");
   app.add_option("--largest-growth", options.largest_growth, "the most faces in table 4");
   app.add_option("--threads", options.threads, "threads of table 5")->check(CLI::PositiveNumber);
+  app.add_option("--gap-model", options.gap_model, "the model of table 6, which is subdivided once");
+  app.add_option("--gap-limit", options.gap_limit, "the seconds after which a call of table 6 is stopped")
+    ->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
 
   // the folder is the machine's own business
   std::string arguments;
-  for(int i = 1; i < argc; ++i)
+  for (int i = 1; i < argc; ++i)
     arguments += std::string(" ") + (argv[i] == options.folder ? "FOLDER" : argv[i]);
   try
   {
     print_head(arguments, options);
     print_tables(options);
   }
-  catch(const std::exception& exception)
+  catch (const std::exception& exception)
   {
     std::cerr << "performance_benchmark: " << exception.what() << std::endl;
     return EXIT_FAILURE;

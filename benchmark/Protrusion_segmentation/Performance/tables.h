@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The tables of the benchmark. Methods come from `protrusion_methods()` of the quality benchmark: a
@@ -21,12 +23,14 @@ struct Options
                        "194,202,210,218,226,234,242,250,258,282,290,298,306,314,322,330,338,346,354,362,"
                        "370,378,386,394";
   std::string methods = "Minimum-cut,Paper-GD";
-  std::vector<int> tables = {1, 2, 3, 4, 5};
+  std::vector<int> tables = {1, 2, 3, 4, 5, 6};
   std::size_t repetitions = 3;
   int large_model = 282; // 195,768 faces when subdivided
   int growth_model = 90;
   std::size_t largest_growth = 4100000;
   std::size_t threads = 2;
+  int gap_model = 170; // 99,984 faces when subdivided
+  double gap_limit = 60; // seconds
 };
 
 // Of the registered ones those that `options.methods` names, in its order.
@@ -47,5 +51,8 @@ void print_growth_table(const Options& options, const Benchmark_folder& folder);
 
 // 5. The parallel parts with one and with several threads.
 void print_thread_table(const Options& options, const Benchmark_folder& folder);
+
+// 6. The longest time in which a visitor is not asked whether to go on.
+void print_gap_table(const Options& options, const Benchmark_folder& folder);
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_TABLES_H

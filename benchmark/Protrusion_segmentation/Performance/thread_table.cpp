@@ -1,8 +1,12 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "measure.h"
 #include "tables.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 #include <CGAL/protrusion_segmentation.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -11,6 +15,7 @@
 
 #include <functional>
 #include <iostream>
+#include <utility>
 
 namespace {
 
@@ -33,32 +38,37 @@ void print_row(const Markdown_table& table, const std::string& name, const Optio
 void print_rows(const Options& options, const Benchmark_folder& folder, const Markdown_table& table)
 {
   const Model model = folder.read_model(393);
-  const auto input = PS::internal::read_surface(model.mesh, CGAL::parameters::default_values());
-  const PS::Indexed_surface& part = input.surface;
-  print_row(table, "distances from the landmarks of LGD(5)", options, [&](auto tag)
-            { PS::Landmark_geodesic_distance(0.05).concurrency_tag(tag).on(part, 0); });
+  PS::internal::Arrays_of_mesh arrays =
+    PS::internal::read_surface(model.mesh, CGAL::parameters::default_values());
+  const PS::internal::Canonical_surface canonical(std::move(arrays.surface), arrays.unit);
+  const PS::Indexed_surface& surface = canonical.surface();
+  print_row(table, "distances from the landmarks of LGD(5)", options,
+            [&](auto tag)
+            {
+              PS::Execution execution(0, PS::internal::is_parallel<decltype(tag)>());
+              PS::Landmark_geodesic_distance(0.05).on(surface, execution);
+            });
 
-  PS::internal::Shortest_distances shortest_distances(part);
+  PS::internal::Shortest_distances shortest_distances(surface);
   std::vector<double> distances;
   shortest_distances(0, distances);
   const PS::internal::Slots slots(distances);
-  PS::internal::Plane_section section(part);
+  PS::internal::Plane_section section(surface);
   print_row(table, "sections of 20 tips", options,
             [&](auto tag)
             {
-              for(int i = 0; i < 20; ++i)
-                PS::internal::sectional_diameter_histogram(part, distances, slots, section,
-                                                           PS::internal::is_parallel<decltype(tag)>());
+              PS::Execution execution(0, PS::internal::is_parallel<decltype(tag)>());
+              for (int i = 0; i < 20; ++i)
+                PS::internal::sectional_diameter_histogram(surface, distances, slots, section, execution);
             });
 
   Labels labels(model.mesh.number_of_faces());
   print_row(table, "the paper's method with LGD(5)", options,
             [&](auto tag)
             {
-              CGAL::segmentation_via_protrusion_tips(
+              CGAL::segmentation_via_protrusion_tips<decltype(tag)>(
                 model.mesh, CGAL::make_property_map(labels), model.number_of_segments,
-                PS::Landmark_geodesic_distance(0.05).concurrency_tag(tag),
-                PS::Histogram_method().concurrency_tag(tag));
+                PS::Histogram_method(PS::Landmark_geodesic_distance(0.05)));
             });
 }
 

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "ablation_methods.h"
@@ -18,7 +20,7 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 void stretch(Mesh& mesh, double factor)
 {
-  for(const Vertex v : mesh.vertices())
+  for (const Vertex v : mesh.vertices())
   {
     const Point& p = mesh.point(v);
     mesh.point(v) = Point(factor * p.x(), p.y(), p.z());
@@ -41,7 +43,7 @@ Mesh remeshed(Mesh mesh, double density, double anisotropy)
 Point centre(Face f, const Mesh& mesh)
 {
   Vector sum(0, 0, 0);
-  for(const Vertex v : vertices_around_face(mesh.halfedge(f), mesh))
+  for (const Vertex v : vertices_around_face(mesh.halfedge(f), mesh))
     sum += mesh.point(v) - CGAL::ORIGIN;
   return CGAL::ORIGIN + sum / mesh.degree(f);
 }
@@ -53,7 +55,7 @@ Labels transferred(const Labels& labels, const Mesh& from, const Mesh& to)
   using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
   const Tree tree(faces(from).begin(), faces(from).end(), from);
   Labels result;
-  for(const Face f : to.faces())
+  for (const Face f : to.faces())
     result.push_back(labels[tree.closest_point_and_primitive(centre(f, to)).second]);
   return result;
 }

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "guarded_run.h"
@@ -34,7 +36,7 @@ constexpr char valid = 'v', invalid = 'i', refused = 'r';
     const std::string problem = call();
     message = (problem.empty() ? valid : invalid) + problem;
   }
-  catch(const std::exception& exception)
+  catch (const std::exception& exception)
   {
     message = refused + std::string(exception.what());
   }
@@ -47,7 +49,7 @@ std::string read_all(int pipe_end)
 {
   std::string text;
   char buffer[4096];
-  for(ssize_t count; (count = read(pipe_end, buffer, sizeof(buffer))) > 0;)
+  for (ssize_t count; (count = read(pipe_end, buffer, sizeof(buffer))) > 0;)
     text.append(buffer, std::size_t(count));
   return text;
 }
@@ -55,11 +57,11 @@ std::string read_all(int pipe_end)
 Outcome outcome_of(const std::string& message, int status)
 {
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if(signal == SIGXCPU || signal == SIGALRM)
+  if (signal == SIGXCPU || signal == SIGALRM)
     return {Result::TIMED_OUT, ""};
-  if(signal != 0)
+  if (signal != 0)
     return {Result::CRASHED, strsignal(signal)};
-  if(message.empty() || WEXITSTATUS(status) != 0)
+  if (message.empty() || WEXITSTATUS(status) != 0)
     return {Result::CRASHED, "ended without a result"};
   const std::string text = message.substr(1);
   return message[0] == valid   ? Outcome{Result::VALID, ""}
@@ -72,12 +74,12 @@ Outcome outcome_of(const std::string& message, int status)
 Outcome guarded_run(const std::function<std::string()>& call, unsigned int limit)
 {
   int ends[2];
-  if(pipe(ends) != 0)
+  if (pipe(ends) != 0)
     throw std::runtime_error("there can be no pipe");
   const pid_t child = fork();
-  if(child < 0)
+  if (child < 0)
     throw std::runtime_error("there can be no child process");
-  if(child == 0)
+  if (child == 0)
     run_and_tell(call, limit, ends[1]);
   close(ends[1]);
   const std::string message = read_all(ends[0]);

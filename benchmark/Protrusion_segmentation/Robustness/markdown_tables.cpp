@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "markdown_tables.h"
@@ -16,8 +18,8 @@ constexpr std::array<const char*, 5> result_names = {"valid", "invalid", "refuse
 std::vector<std::string> methods_of(const std::vector<Run>& runs)
 {
   std::vector<std::string> methods;
-  for(const Run& run : runs)
-    if(std::find(methods.begin(), methods.end(), run.method) == methods.end())
+  for (const Run& run : runs)
+    if (std::find(methods.begin(), methods.end(), run.method) == methods.end())
       methods.push_back(run.method);
   return methods;
 }
@@ -26,15 +28,15 @@ void write_line(std::ostream& out, const std::string& method, const std::vector<
 {
   std::array<std::size_t, result_names.size()> counts = {};
   double longest = 0, sum = 0;
-  for(const Run& run : runs)
-    if(run.method == method)
+  for (const Run& run : runs)
+    if (run.method == method)
     {
       ++counts[std::size_t(run.outcome.result)];
       longest = (std::max)(longest, run.outcome.seconds);
       sum += run.outcome.seconds;
     }
   out << "| " << method;
-  for(const std::size_t count : counts)
+  for (const std::size_t count : counts)
     out << " | " << count;
   out << " | " << sum << " | " << longest << " |\n";
 }
@@ -52,12 +54,12 @@ void write_tables(std::ostream& out, const std::vector<Run>& runs)
   out << std::fixed << std::setprecision(1);
   out << "| method | valid | invalid | refused | crashed | over the limit | seconds | longest |\n"
       << "|---|--:|--:|--:|--:|--:|--:|--:|\n";
-  for(const std::string& method : methods_of(runs))
+  for (const std::string& method : methods_of(runs))
     write_line(out, method, runs);
   out << "\nAll runs that are not valid:\n\n| method | file | result | cause |\n|---|---|---|---|\n";
-  for(const std::string& method : methods_of(runs))
-    for(const Run& run : runs)
-      if(run.method == method && run.outcome.result != Result::VALID)
+  for (const std::string& method : methods_of(runs))
+    for (const Run& run : runs)
+      if (run.method == method && run.outcome.result != Result::VALID)
         out << "| " << method << " | `" << run.file << "` | "
             << result_names[std::size_t(run.outcome.result)] << " | " << without_bars(run.outcome.text)
             << " |\n";

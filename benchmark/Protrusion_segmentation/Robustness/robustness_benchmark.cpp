@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // robustness_benchmark --folder FOLDER [--methods LIST] [--every N] [--limit SECONDS] [--segments K]
@@ -45,12 +47,12 @@ std::vector<fs::path> mesh_files(const Options& options)
 {
   const std::vector<std::string> known = tool::mesh_extensions();
   std::vector<fs::path> all, result;
-  for(const fs::directory_entry& entry : fs::recursive_directory_iterator(options.folder))
-    if(entry.is_regular_file() && std::find(known.begin(), known.end(),
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(options.folder))
+    if (entry.is_regular_file() && std::find(known.begin(), known.end(),
                                             tool::lower_case_extension(entry.path().string())) != known.end())
       all.push_back(entry.path());
   std::sort(all.begin(), all.end());
-  for(std::size_t i = 0; i < all.size(); i += options.every)
+  for (std::size_t i = 0; i < all.size(); i += options.every)
     result.push_back(all[i]);
   return result;
 }
@@ -65,7 +67,7 @@ Mesh read(const fs::path& file)
 
 std::string check_size(const Mesh& mesh, std::size_t maximum_number_of_faces)
 {
-  if(mesh.number_of_faces() > maximum_number_of_faces)
+  if (mesh.number_of_faces() > maximum_number_of_faces)
     throw std::length_error("left out: it has " + std::to_string(mesh.number_of_faces()) + " faces");
   return "";
 }
@@ -74,7 +76,7 @@ std::string check_size(const Mesh& mesh, std::size_t maximum_number_of_faces)
 std::string segment(const fs::path& file, const Segmentation_method& method, std::size_t number_of_segments)
 {
   Mesh mesh = read(file);
-  if(method.name.substr(0, 3) == "SDF") // which is for triangles only
+  if (method.name.substr(0, 3) == "SDF") // which is for triangles only
     CGAL::Polygon_mesh_processing::triangulate_faces(mesh);
   const Labels labels =
     method.segment(mesh, (std::min)(number_of_segments, std::size_t(mesh.number_of_faces())), 0);
@@ -87,14 +89,14 @@ std::string segment(const fs::path& file, const Segmentation_method& method, std
 std::vector<Segmentation_method> chosen_methods(const std::string& list)
 {
   std::vector<Segmentation_method> all = protrusion_methods(), result;
-  for(const Segmentation_method& method : sdf_methods())
+  for (const Segmentation_method& method : sdf_methods())
     all.push_back(method);
   std::istringstream in(list);
-  for(std::string name; std::getline(in, name, ',');)
+  for (std::string name; std::getline(in, name, ',');)
   {
     const auto found = std::find_if(all.begin(), all.end(), [&](const Segmentation_method& method)
                                     { return method.name == name; });
-    if(found == all.end())
+    if (found == all.end())
       throw std::invalid_argument("there is no method '" + name + "'");
     result.push_back(*found);
   }
@@ -105,7 +107,7 @@ std::vector<Run> run_all(const Options& options)
 {
   const std::vector<Segmentation_method> methods = chosen_methods(options.methods);
   std::vector<Run> runs;
-  for(const fs::path& file : mesh_files(options))
+  for (const fs::path& file : mesh_files(options))
   {
     const std::string name = fs::relative(file, options.folder).string();
     const auto add = [&](const std::string& method, const std::function<std::string()>& call)
@@ -114,14 +116,14 @@ std::vector<Run> run_all(const Options& options)
       return runs.back().outcome.result == Result::VALID;
     };
     std::cerr << name << std::endl;
-    if(!add("reading", [&]() { return check_size(read(file), options.maximum_number_of_faces); }))
+    if (!add("reading", [&]() { return check_size(read(file), options.maximum_number_of_faces); }))
     {
       std::string& reason = runs.back().outcome.text;
-      if(reason.compare(0, file.string().size(), file.string()) == 0) // the table names the file already
+      if (reason.compare(0, file.string().size(), file.string()) == 0) // the table names the file already
         reason.erase(0, file.string().size() + 2);
       continue;
     }
-    for(const Segmentation_method& method : methods)
+    for (const Segmentation_method& method : methods)
       add(method.name, [&]() { return segment(file, method, options.number_of_segments); });
   }
   return runs;
@@ -151,7 +153,7 @@ int main(int argc, char** argv)
     write_tables(std::cout, run_all(options));
     return EXIT_SUCCESS;
   }
-  catch(const std::exception& error)
+  catch (const std::exception& error)
   {
     std::cerr << "robustness_benchmark: " << error.what() << std::endl;
     return EXIT_FAILURE;

@@ -3,8 +3,10 @@
 \cgalConcept
 
 The concept `ProtrusionDistance` describes the requirements on a distance between the faces of a surface, by
-which protrusion tips are selected and histograms are made (Section III.B of the paper). A model holds the
-options of the distance and makes from them the distances on each part of a surface that is looked at.
+which protrusion tips are selected and borders are found (Section III.B of the paper). A model holds the
+options of the distance, and prepares the distances on each surface that is looked at. A method gets a copy of it.
+
+\cgalRefines{CopyConstructible}
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Protrusion_segmentation::Geodesic_distance}
@@ -25,16 +27,20 @@ public:
   typedef unspecified_type On_surface;
 
   /*!
-  prepares the distances on a part.
+  prepares the distances on a surface.
 
-  It is called once for the whole surface or for each connected component, and once for every segment that is
-  looked at later. It may throw any exception; the segmentation then ends with it and writes nothing.
+  It is called for each connected component, and for every segment that is looked at later. It may throw any
+  exception; the call of the package then ends with it and writes nothing.
 
-  \param part the part, one connected piece of at least one face; it outlives the result. Faces may be polygons
-              and may have no area. A part may have borders, and may touch itself in vertices.
-  \param random_seed the seed of all that is random; equal seeds give equal distances
+  \param surface one connected piece of at least one face; it outlives the result. Faces may be polygons and may
+                 have no area. The surface may have borders, and may touch itself in vertices.
+  \param execution outlives the result. All that is random is to depend on its random seed alone: equal seeds
+                   give equal distances. What takes longer than a fraction of a second is to call its function
+                   `check()` from time to time, which throws if the visitor wants to stop; the
+                   exception must be let through. A model may use several threads if it says so.
 
-  \return the distances on `part`
+  \return the distances on `surface`
   */
-  On_surface on(const CGAL::Protrusion_segmentation::Indexed_surface& part, unsigned int random_seed) const;
+  On_surface on(const CGAL::Protrusion_segmentation::Indexed_surface& surface,
+                CGAL::Protrusion_segmentation::Execution& execution) const;
 };

@@ -3,12 +3,11 @@
 \cgalConcept
 
 The concept `ProtrusionDistancesOnSurface` describes the requirements on the distances between the faces of one
-part of a surface. They are asked for one source after the other, and so may keep work arrays.
+surface. They are asked for one source after the other, and so may keep work arrays.
 
 The distance should grow along the surface away from the source, as lengths do. It need be neither symmetric
-nor a metric.
-
-\cgalRefines{MoveConstructible}
+nor a metric. Its answers are checked: if they are not as described below, the call of the package throws
+`std::invalid_argument`, which says what is wrong for which face.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Protrusion_segmentation::Geodesic_distance::On_surface}
@@ -24,10 +23,11 @@ class ProtrusionDistancesOnSurface
 {
 public:
   /*!
-  computes the distances from a face to all faces.
+  computes the distances from a face to all faces. The visitor is asked whether to go on before each call.
 
   \param source the face
-  \param distances is resized to the number of faces and filled: finite, not negative, 0 for `source`
+  \param distances is resized to the number of faces and filled with numbers: none infinite or negative, 0 for
+                   `source`
   */
   void operator()(CGAL::Protrusion_segmentation::Indexed_surface::Index source, std::vector<double>& distances);
 
@@ -37,24 +37,26 @@ public:
   Optional: without it, all distances are computed where only those inside a border are needed.
 
   \param source the face
-  \param distances is resized to the number of faces and filled as above; distances above `bound` may be infinite
-  \param bound the largest distance of interest
+  \param distances is resized to the number of faces and filled as above, but distances above `bound` may be
+                   larger than they are, and infinite
+  \param bound the largest distance of interest; infinite where all are
   */
   void operator()(CGAL::Protrusion_segmentation::Indexed_surface::Index source, std::vector<double>& distances,
                   double bound);
 
   /*!
-  \return from how many faces distances were computed so far, for the report to the visitor
-  */
-  std::size_t number_of_runs() const;
-
-  /*!
   finds the face with the largest sum of distances to all faces, eq. (1) of the paper.
 
-  Optional: a model without this function works, but distances are then computed from every face of the part,
-  which takes quadratic time.
+  Optional: without it, distances are computed from every face of the surface, which takes quadratic time.
 
   \return the face
   */
   CGAL::Protrusion_segmentation::Indexed_surface::Index face_of_largest_sum();
+
+  /*!
+  Optional: without it, the calls of `operator()` are counted.
+
+  \return from how many faces distances were computed so far, for the report to the visitor
+  */
+  std::size_t number_of_runs() const;
 };

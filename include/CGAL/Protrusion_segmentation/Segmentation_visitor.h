@@ -67,13 +67,13 @@ public:
   /// is called again and again. The share never falls, and is 1 at the end.
   /// \param share about how much of the work is done, from 0 to 1; if no number of segments was asked for,
   ///        the end of the work is not known before, and the share only approaches 1
-  virtual void on_progress(double /* share */) {}
+  virtual void on_progress([[maybe_unused]] double share) {}
   /// is called again and again, whatever the method and the distance do.
   /// \return `false` to stop: the function that the visitor was passed to then writes nothing and returns 0
   virtual bool go_further() { return true; }
   /// is called when the work on a segment ends.
   /// \param number_of_runs from how many more faces distances were computed
-  virtual void on_distances(std::size_t /* number_of_runs */) {}
+  virtual void on_distances([[maybe_unused]] std::size_t number_of_runs) {}
   /// @}
 
   /// \name Findings
@@ -81,13 +81,13 @@ public:
 
   /// is called for each protrusion tip that is selected, which need not become a segment.
   /// \param face the face at the tip
-  virtual void on_tip(face_descriptor /* face */) {}
+  virtual void on_tip([[maybe_unused]] face_descriptor face) {}
   /// is called for each face that would be a tip but for where it lies, at the border of a segment cut off before.
   /// \param face the face
-  virtual void on_eliminated_tip(face_descriptor /* face */) {}
+  virtual void on_eliminated_tip([[maybe_unused]] face_descriptor face) {}
   /// is called for each protrusion that is cut off.
   /// \param protrusion all that is known of it
-  virtual void on_protrusion(const Protrusion<face_descriptor>& /* protrusion */) {}
+  virtual void on_protrusion([[maybe_unused]] const Protrusion<face_descriptor>& protrusion) {}
   /// @}
 };
 
