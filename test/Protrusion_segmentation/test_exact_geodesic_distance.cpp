@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The exact distance over the surface against analytic distances.
@@ -16,13 +18,13 @@ void check_euclidean(const Test_mesh& mesh, Index source)
   auto distances = Exact_geodesic_distance().on(part, 0);
   std::vector<double> row;
   distances(source, row);
-  for(Index f = 0; f < part.number_of_faces(); ++f)
+  for (Index f = 0; f < part.number_of_faces(); ++f)
     CHECK_CLOSE(row[f], std::sqrt(squared_distance(part.centroid(source), part.centroid(f))), 1e-9);
 }
 
 void distances_on_a_plane_are_euclidean()
 {
-  for(Index source : {0, 11, 140})
+  for (Index source : {0, 11, 140})
   {
     check_euclidean(triangulated(sheet(12, 9)), source);
     check_euclidean(rotated(triangulated(sheet(12, 9)), {1, 2, 3}, 1), source);
@@ -35,8 +37,8 @@ void distances_on_a_cube_are_those_of_its_nets()
 {
   const Indexed_surface part = to_surface_part(box());
   const auto d = distance_matrix(part, Exact_geodesic_distance());
-  for(Index f = 0; f < 6; ++f)
-    for(Index g = 0; g < 6; ++g)
+  for (Index f = 0; f < 6; ++f)
+    for (Index g = 0; g < 6; ++g)
     {
       const double straight = std::sqrt(squared_distance(part.centroid(f), part.centroid(g)));
       CHECK_CLOSE(d[f][g], f == g ? 0. : straight < 0.9 ? 1. : 2., 1e-9);
@@ -52,12 +54,12 @@ void distances_on_a_prism_are_those_of_its_net()
   auto distances = Exact_geodesic_distance().on(part, 0);
   std::vector<double> row;
   std::vector<Index> sides;
-  for(Index f = 0; f < part.number_of_faces(); ++f)
-    if(part.first_corner(f + 1) - part.first_corner(f) == 4)
+  for (Index f = 0; f < part.number_of_faces(); ++f)
+    if (part.first_corner(f + 1) - part.first_corner(f) == 4)
       sides.push_back(f);
   CHECK_EQUAL(sides.size(), n);
   distances(sides[0], row);
-  for(std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n; ++i)
     CHECK_CLOSE(row[sides[i]], double(std::min(i, n - i)) * 2 * std::sin(pi / double(n)), 1e-9);
 }
 
@@ -73,7 +75,7 @@ void distances_on_a_sphere_are_arcs()
     const Indexed_surface::Vector_3 v = part.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
     return v / std::sqrt(v.squared_length());
   };
-  for(Index f = 0; f < part.number_of_faces(); ++f)
+  for (Index f = 0; f < part.number_of_faces(); ++f)
   {
     const double arc = std::acos(std::max(-1., std::min(1., direction(100) * direction(f))));
     CHECK_CLOSE(row[f], arc, 0.03 * arc + 1e-9);
@@ -87,7 +89,7 @@ void no_longer_than_paths_in_the_dual_graph()
   const auto exact = distance_matrix(part, Exact_geodesic_distance());
   const auto dual = distance_matrix(part, Geodesic_distance());
   double exact_sum = 0, dual_sum = 0;
-  for(std::size_t i = 0; i < exact.size(); ++i)
+  for (std::size_t i = 0; i < exact.size(); ++i)
   {
     exact_sum += internal::distance_sum(exact[i]);
     dual_sum += internal::distance_sum(dual[i]);

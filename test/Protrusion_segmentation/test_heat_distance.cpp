@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The distance of the heat method against analytic distances.
@@ -17,10 +19,10 @@ void distances_on_a_plane_are_euclidean()
   const Indexed_surface part = to_surface_part(triangulated(sheet(40, 40)));
   auto distances = Heat_distance().on(part, 0);
   std::vector<double> row;
-  for(Index source : {Index(0), Index(1640), Index(2000)})
+  for (Index source : {Index(0), Index(1640), Index(2000)})
   {
     distances(source, row);
-    for(Index f = 0; f < part.number_of_faces(); ++f)
+    for (Index f = 0; f < part.number_of_faces(); ++f)
     {
       const double d = std::sqrt(squared_distance(part.centroid(source), part.centroid(f)));
       CHECK_CLOSE(row[f], d, 0.06 * d + 1);
@@ -38,10 +40,10 @@ void distances_on_a_sphere_are_arcs()
     const Indexed_surface::Vector_3 v = part.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
     return v / std::sqrt(v.squared_length());
   };
-  for(Index source : {Index(0), Index(1234)})
+  for (Index source : {Index(0), Index(1234)})
   {
     distances(source, row);
-    for(Index f = 0; f < part.number_of_faces(); ++f)
+    for (Index f = 0; f < part.number_of_faces(); ++f)
     {
       const double arc = std::acos(std::max(-1., std::min(1., direction(source) * direction(f))));
       CHECK_CLOSE(row[f], arc, 0.03 * arc + 0.06);
@@ -57,7 +59,7 @@ void distances_on_a_cylinder_are_those_of_its_net()
   std::vector<double> row;
   const Indexed_surface::Point_3 source = part.centroid(0);
   distances(0, row);
-  for(Index f = 0; f < part.number_of_faces(); ++f)
+  for (Index f = 0; f < part.number_of_faces(); ++f)
   {
     const Indexed_surface::Point_3 p = part.centroid(f);
     const double turn = std::abs(std::atan2(p.y(), p.x()) - std::atan2(source.y(), source.x()));

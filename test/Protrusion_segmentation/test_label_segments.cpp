@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Labels and refill (Section III.A, Fig. 2): cutting off protrusions keeps every segment connected;
@@ -24,9 +26,7 @@ void components_of_labels()
 {
   // A 4 x 3 sheet, labels row by row.
   const Indexed_surface part = to_surface_part(sheet(4, 3));
-  const Labels labels = {0, 0, 1, 0,
-                         2, 1, 1, 0,
-                         2, 2, 0, 0};
+  const Labels labels = {0, 0, 1, 0, 2, 1, 1, 0, 2, 2, 0, 0};
   const Label_components components = label_components(part, labels);
   CHECK(components.component == (Labels{0, 0, 1, 2, 3, 1, 1, 2, 3, 3, 2, 2}));
   CHECK(components.label == (Labels{0, 1, 0, 2}));
@@ -36,9 +36,7 @@ void components_of_labels()
 void lengths_of_borders()
 {
   const Indexed_surface part = to_surface_part(sheet(4, 3, 2, 1));
-  const Labels labels = {0, 0, 1, 0,
-                         2, 1, 1, 0,
-                         2, 2, 0, 0};
+  const Labels labels = {0, 0, 1, 0, 2, 1, 1, 0, 2, 2, 0, 0};
   CHECK_CLOSE(border_length(part, labels, 2), 2 + 1 + 2 + 1, 1e-14); // the sheet's edge is no border
   CHECK_CLOSE(border_length(part, labels, 1), 1 + 1 + 2 + 1 + 1 + 2 + 2, 1e-14);
   CHECK_EQUAL(border_length(part, labels, 7), 0);
@@ -49,8 +47,8 @@ void a_protrusion_is_the_piece_of_its_tip()
 {
   const Indexed_surface part = to_surface_part(sheet(9, 1));
   Labels labels(9, 0);
-  const double area =
-    cut_off_protrusion(part, labels, 0, [](Index f) { return f < 3 || f > 6; }, 5);
+  const double area = cut_off_protrusion(
+    part, labels, 0, [](Index f) { return f < 3 || f > 6; }, 5);
   CHECK(labels == (Labels{5, 5, 5, 0, 0, 0, 0, 0, 0}));
   CHECK_CLOSE(area, 3, 1e-14);
 }
@@ -62,9 +60,7 @@ void islands_go_with_the_protrusion()
   Labels labels(15, 0);
   const auto is_ring = [](Index f) { return f == 1 || f == 6 || f == 11; }; // a column
   const double area = cut_off_protrusion(part, labels, 6, is_ring, 1);
-  CHECK(labels == (Labels{1, 1, 0, 0, 0,
-                          1, 1, 0, 0, 0,
-                          1, 1, 0, 0, 0}));
+  CHECK(labels == (Labels{1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0}));
   CHECK_CLOSE(area, 6, 1e-14);
 }
 
@@ -72,7 +68,8 @@ void among_equal_rests_the_one_with_the_lowest_face_stays()
 {
   const Indexed_surface part = to_surface_part(sheet(5, 1));
   Labels labels(5, 3);
-  cut_off_protrusion(part, labels, 2, [](Index f) { return f == 2; }, 4);
+  cut_off_protrusion(
+    part, labels, 2, [](Index f) { return f == 2; }, 4);
   CHECK(labels == (Labels{3, 3, 4, 4, 4}));
 }
 
@@ -80,7 +77,8 @@ void other_segments_are_left_alone()
 {
   const Indexed_surface part = to_surface_part(sheet(6, 1));
   Labels labels = {1, 0, 0, 0, 0, 2};
-  cut_off_protrusion(part, labels, 1, [](Index f) { return f <= 2 || f == 5; }, 3);
+  cut_off_protrusion(
+    part, labels, 1, [](Index f) { return f <= 2 || f == 5; }, 3);
   CHECK(labels == (Labels{1, 3, 3, 0, 0, 2}));
 }
 
@@ -88,24 +86,24 @@ void other_segments_are_left_alone()
 void both_segments_are_connected()
 {
   Random random(5);
-  for(std::uint_fast32_t seed = 0; seed < 200; ++seed)
+  for (std::uint_fast32_t seed = 0; seed < 200; ++seed)
   {
     const Test_mesh mesh = random_surface(seed);
     const Indexed_surface part = to_surface_part(mesh);
     Labels labels(part.number_of_faces(), 0);
     std::size_t segments = 1;
-    for(Index id = 1; id < 5; ++id)
+    for (Index id = 1; id < 5; ++id)
     {
       const Index tip = Index(random.index(part.number_of_faces()));
       const double share = random.real(0, 0.6);
       std::vector<bool> is_near;
-      for(Index f = 0; f < part.number_of_faces(); ++f)
+      for (Index f = 0; f < part.number_of_faces(); ++f)
         is_near.push_back(random.real(0, 1) < share || f == tip);
       const Labels before = labels;
-      const double area =
-        cut_off_protrusion(part, labels, tip, [&](Index f) { return bool(is_near[f]); }, id);
+      const double area = cut_off_protrusion(
+        part, labels, tip, [&](Index f) { return bool(is_near[f]); }, id);
       double expected_area = 0;
-      for(Index f = 0; f < part.number_of_faces(); ++f)
+      for (Index f = 0; f < part.number_of_faces(); ++f)
       {
         CHECK(labels[f] == before[f] || (labels[f] == id && before[f] == before[tip]));
         expected_area += labels[f] == id ? part.area(f) : 0;
@@ -123,7 +121,7 @@ void extracted_parts_are_the_surface_of_their_faces()
 {
   const Indexed_surface surface = to_surface_part(sheet(4, 3));
   Segment_extractor extract(surface);
-  for(int repetition = 0; repetition < 2; ++repetition) // the work arrays are left clean
+  for (int repetition = 0; repetition < 2; ++repetition) // the work arrays are left clean
   {
     const Extracted_segment extracted = extract({1, 2, 5, 6, 7});
     CHECK(extracted.faces == (Labels{1, 2, 5, 6, 7}));
@@ -131,7 +129,7 @@ void extracted_parts_are_the_surface_of_their_faces()
     CHECK_EQUAL(extracted.part.number_of_vertices(), 11);
     CHECK_EQUAL(num_edges(extracted.part.dual_graph()), 2 * 5);
     CHECK(extracted.is_on_cut == (std::vector<bool>{true, true, true, true, true}));
-    for(Index f = 0; f < 5; ++f)
+    for (Index f = 0; f < 5; ++f)
     {
       CHECK(extracted.part.centroid(f) == surface.centroid(extracted.faces[f]));
       CHECK_EQUAL(extracted.part.area(f), surface.area(extracted.faces[f]));
@@ -169,7 +167,7 @@ void a_forest_begins_with_the_components()
   CHECK_EQUAL(forest.number_of_segments(), 3);
   CHECK_EQUAL(forest.number_of_components, 3);
   CHECK(forest.parents == (Labels{0, 1, 2}));
-  for(std::size_t f = 0; f < forest.labels.size(); ++f)
+  for (std::size_t f = 0; f < forest.labels.size(); ++f)
     CHECK_EQUAL(forest.labels[f], f / one.faces.size());
   CHECK_EQUAL(forest.faces_of(1).size(), one.faces.size());
   CHECK_EQUAL(forest.faces_of(1).front(), one.faces.size());

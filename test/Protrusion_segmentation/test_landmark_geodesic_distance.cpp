@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The landmark-based geodesic distance (Section III.B.3) is what its documentation defines.
@@ -17,14 +19,14 @@ using Matrix = std::vector<std::vector<double>>;
 Matrix landmark_distances(const Matrix& geodesic, const std::vector<Index>& landmarks)
 {
   Matrix result;
-  for(std::size_t i = 0; i < geodesic.size(); ++i)
+  for (std::size_t i = 0; i < geodesic.size(); ++i)
   {
     Index nearest = landmarks.front();
-    for(const Index l : landmarks)
-      if(geodesic[l][i] < geodesic[nearest][i])
+    for (const Index l : landmarks)
+      if (geodesic[l][i] < geodesic[nearest][i])
         nearest = l;
     result.push_back(geodesic[nearest]);
-    for(double& d : result.back())
+    for (double& d : result.back())
       d += geodesic[nearest][i];
     result.back()[i] = 0;
   }
@@ -38,8 +40,8 @@ double sum(const std::vector<double>& values)
 
 void check_definition(const Indexed_surface& part, std::size_t number_of_landmarks, unsigned int seed)
 {
-  const std::vector<Index> landmarks =
-    internal::select_landmarks(part.number_of_faces(), number_of_landmarks, seed);
+  const std::vector<Index> landmarks = internal::select_landmarks(part.number_of_faces(),
+                                                                  number_of_landmarks, seed);
   const Matrix expected = landmark_distances(all_pairs_distances(part), landmarks);
   auto distances =
     Landmark_geodesic_distance::with_number_of_landmarks(number_of_landmarks).on(part, seed);
@@ -47,11 +49,11 @@ void check_definition(const Indexed_surface& part, std::size_t number_of_landmar
 
   double largest = 0;
   std::vector<double> row;
-  for(Index i = 0; i < part.number_of_faces(); ++i)
+  for (Index i = 0; i < part.number_of_faces(); ++i)
   {
     distances(i, row);
     double error = 0;
-    for(Index j = 0; j < part.number_of_faces(); ++j)
+    for (Index j = 0; j < part.number_of_faces(); ++j)
       error = std::max(error, std::abs(row[j] - expected[i][j]));
     CHECK(error < 1e-12);
     largest = std::max(largest, sum(expected[i]));
@@ -61,10 +63,10 @@ void check_definition(const Indexed_surface& part, std::size_t number_of_landmar
 
 void distances_and_sums_follow_the_definition()
 {
-  for(unsigned int seed = 0; seed < 40; ++seed)
+  for (unsigned int seed = 0; seed < 40; ++seed)
   {
     const Indexed_surface part = to_surface_part(random_surface(seed));
-    for(std::size_t number : {1, 3, 10, 1000})
+    for (std::size_t number : {1, 3, 10, 1000})
       check_definition(part, number, seed);
   }
   check_definition(to_surface_part(single_triangle()), 1, 0);
@@ -80,13 +82,13 @@ void all_faces_as_landmarks_give_the_geodesic_distance()
   auto distances = Landmark_geodesic_distance(1).on(part, 3);
   std::vector<double> row;
   distances(7, row);
-  for(Index j = 0; j < part.number_of_faces(); ++j)
+  for (Index j = 0; j < part.number_of_faces(); ++j)
     CHECK_CLOSE(row[j], geodesic[7][j], 1e-12);
 }
 
 void landmarks_are_different_faces_and_follow_the_seed()
 {
-  for(unsigned int seed = 0; seed < 20; ++seed)
+  for (unsigned int seed = 0; seed < 20; ++seed)
   {
     const std::vector<Index> landmarks = internal::select_landmarks(1000, 50, seed);
     CHECK_EQUAL(landmarks.size(), 50);
@@ -109,10 +111,10 @@ void landmarks_are_the_same_everywhere()
 void landmarks_are_spread_evenly()
 {
   std::vector<int> drawn(20, 0);
-  for(unsigned int seed = 0; seed < 2000; ++seed)
-    for(const Index f : internal::select_landmarks(20, 5, seed))
+  for (unsigned int seed = 0; seed < 2000; ++seed)
+    for (const Index f : internal::select_landmarks(20, 5, seed))
       ++drawn[f];
-  for(const int n : drawn)
+  for (const int n : drawn)
     CHECK_CLOSE(n, 500, 100); // 5 standard deviations
 }
 
@@ -130,7 +132,7 @@ void options_choose_the_number_of_landmarks()
 
 void impossible_options_are_refused()
 {
-  for(double fraction : {0., -0.1, 1.5, infinity, std::nan("")})
+  for (double fraction : {0., -0.1, 1.5, infinity, std::nan("")})
     CHECK_THROWS_WITH(Landmark_geodesic_distance(fraction), std::invalid_argument, "fraction");
   CHECK_THROWS_WITH(Landmark_geodesic_distance::with_number_of_landmarks(0), std::invalid_argument,
                     "number of landmarks");

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The pruned search for the face of eq. (1) finds the face that all pairs find, ties included, for
@@ -46,7 +48,7 @@ void all_pairs_take_the_lowest_of_the_largest_sums()
   const Indexed_surface part = to_surface_part(random_surface(3));
   const auto d = all_pairs_distances(part);
   std::vector<double> sums;
-  for(const std::vector<double>& row : d)
+  for (const std::vector<double>& row : d)
     sums.push_back(internal::distance_sum(row));
   auto distances = Geodesic_distance().on(part, 0);
   const auto largest = std::max_element(sums.begin(), sums.end());
@@ -60,7 +62,7 @@ void all_pairs_take_the_lowest_of_the_largest_sums()
 
 void same_face_as_all_pairs_on_random_surfaces()
 {
-  for(std::uint_fast32_t seed = 0; seed < 600; ++seed)
+  for (std::uint_fast32_t seed = 0; seed < 600; ++seed)
     check_same_face(random_surface(seed));
 }
 
@@ -68,14 +70,31 @@ void same_face_as_all_pairs_on_random_surfaces()
 void same_face_as_all_pairs_where_sums_tie()
 {
   std::uint_fast32_t seed = 0;
-  for(const Test_mesh& mesh :
-      {tetrahedron(), icosahedron(), dodecahedron(), football(), icosphere(1), icosphere(2), box(),
-       box(4, 4, 4), box(1, 1, 9), sheet(9, 9), sheet(16, 1), sheet(17, 1), torus(2, 0.5, 24, 8),
-       moebius_strip(), pierced_plate(2, 2), regular_prism(12), thin_strip(32), single_triangle(),
-       uv_sphere(), closed_cylinder(1, 2, 0.3), dumbbell(1, 1, 0.3, 3, 0.3), height_field(9, 5, 1)})
+  for (const Test_mesh& mesh : {tetrahedron(),
+                                icosahedron(),
+                                dodecahedron(),
+                                football(),
+                                icosphere(1),
+                                icosphere(2),
+                                box(),
+                                box(4, 4, 4),
+                                box(1, 1, 9),
+                                sheet(9, 9),
+                                sheet(16, 1),
+                                sheet(17, 1),
+                                torus(2, 0.5, 24, 8),
+                                moebius_strip(),
+                                pierced_plate(2, 2),
+                                regular_prism(12),
+                                thin_strip(32),
+                                single_triangle(),
+                                uv_sphere(),
+                                closed_cylinder(1, 2, 0.3),
+                                dumbbell(1, 1, 0.3, 3, 0.3),
+                                height_field(9, 5, 1)})
   {
     check_same_face(mesh);
-    for(int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i)
       check_same_face(with_face_order(mesh, random_permutation(mesh.faces.size(), ++seed)));
   }
 }
@@ -97,7 +116,8 @@ void the_number_of_visits_can_be_limited()
   auto distances = distance.on(part, 0);
   CHECK(distances.face_of_largest_sum() < part.number_of_faces());
   CHECK_EQUAL(distances.number_of_runs(), 2);
-  CHECK_THROWS_WITH(distance.maximum_number_of_visits(0), std::invalid_argument, "maximum_number_of_visits is 0");
+  CHECK_THROWS_WITH(distance.maximum_number_of_visits(0), std::invalid_argument,
+                    "maximum_number_of_visits is 0");
   CHECK_EQUAL(distance.maximum_number_of_visits(), 2);
 }
 
@@ -124,18 +144,19 @@ void few_runs_on_large_meshes()
 void same_face_as_all_pairs_on_models(const std::filesystem::path& folder)
 {
   std::vector<std::pair<std::uintmax_t, std::filesystem::path>> files;
-  for(const auto& entry : std::filesystem::directory_iterator(folder / "off"))
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "off"))
     files.emplace_back(entry.file_size(), entry.path());
   std::sort(files.begin(), files.end());
   CHECK(files.size() >= 10);
   files.resize(std::min<std::size_t>(files.size(), 10));
-  for(const auto& [size, file] : files)
+  for (const auto& [size, file] : files)
   {
     CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
     CHECK(CGAL::IO::read_polygon_mesh(file.string(), mesh));
     const internal::Canonical_surface surface(mesh, CGAL::parameters::default_values());
     std::cout << file.filename().string() << ", ";
-    std::cout << surface.part.number_of_faces() << " faces: " << runs_of_search(surface.part) << " runs\n";
+    std::cout << surface.part.number_of_faces() << " faces: " << runs_of_search(surface.part)
+              << " runs\n";
     check_same_face(surface.part);
   }
 }
@@ -148,7 +169,7 @@ int main()
   faces_in_one_point_need_one_run();
   the_number_of_visits_can_be_limited();
   few_runs_on_large_meshes();
-  if(const char* folder = std::getenv("PRINCETON_FOLDER"))
+  if (const char* folder = std::getenv("PRINCETON_FOLDER"))
     same_face_as_all_pairs_on_models(folder);
   return check::result();
 }

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Archetypes: classes with nothing but what the concepts ask for.
@@ -27,12 +29,12 @@ public:
     distances.assign(m_part->number_of_faces(), infinity());
     distances[source] = 0;
     std::vector<Indexed_surface::Index> queue(1, source);
-    for(std::size_t i = 0; i < queue.size(); ++i)
-      for(Indexed_surface::Index c = m_part->first_corner(queue[i]);
-          c < m_part->first_corner(queue[i] + 1); ++c)
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (Indexed_surface::Index c = m_part->first_corner(queue[i]);
+           c < m_part->first_corner(queue[i] + 1); ++c)
       {
         const Indexed_surface::Index g = m_part->neighbor(c);
-        if(g == Indexed_surface::no_face() || distances[g] < infinity())
+        if (g == Indexed_surface::no_face() || distances[g] < infinity())
           continue;
         distances[g] = distances[queue[i]] + 1;
         queue.push_back(g);
@@ -90,23 +92,24 @@ int main()
   const Histogram_method border;
   std::size_t calls = 0;
 
-  const Segmentation found = checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids, 4, distance, border,
-                                                  CGAL::parameters::visitor(Visitor(calls)));
-  });
+  const Segmentation found = checked(mesh,
+                                     [&](auto ids)
+                                     {
+                                       return CGAL::segmentation_via_protrusion_tips(
+                                         mesh, ids, 4, distance, border,
+                                         CGAL::parameters::visitor(Visitor(calls)));
+                                     });
   CHECK_EQUAL(found.number, 4);
   CHECK(calls > 10);
 
   std::vector<Mesh::Face_index> tips;
   CGAL::protrusion_tips(mesh, 3, std::back_inserter(tips), distance);
   std::set<std::size_t> arms;
-  for(const Mesh::Face_index tip : tips)
+  for (const Mesh::Face_index tip : tips)
     arms.insert(soup.parts[tip]);
   CHECK(arms == (std::set<std::size_t>{1, 2, 3}));
   CHECK(checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, distance, border);
-  }).number > 1);
+                { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, distance, border); })
+          .number > 1);
   return check::result();
 }

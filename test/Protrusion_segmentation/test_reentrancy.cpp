@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Several threads may segment one constant mesh at the same time. Compiled with the thread sanitizer where
@@ -43,17 +45,17 @@ int main()
     [&]() { return labels(mesh, diffusion, histogram); }};
 
   std::vector<Labels> expected;
-  for(const auto& method : methods)
+  for (const auto& method : methods)
     expected.push_back(method());
 
   constexpr std::size_t number_of_rounds = 2; // of which each runs all methods at the same time
   std::vector<Labels> found(number_of_rounds * methods.size());
   std::vector<std::thread> threads;
-  for(std::size_t i = 0; i < found.size(); ++i)
+  for (std::size_t i = 0; i < found.size(); ++i)
     threads.emplace_back([&, i]() { found[i] = methods[i % methods.size()](); });
-  for(std::thread& thread : threads)
+  for (std::thread& thread : threads)
     thread.join();
-  for(std::size_t i = 0; i < found.size(); ++i)
+  for (std::size_t i = 0; i < found.size(); ++i)
     CHECK(found[i] == expected[i % methods.size()]);
   return check::result();
 }

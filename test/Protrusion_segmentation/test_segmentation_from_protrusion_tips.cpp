@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Tips alone, and segmentations from given tips.
@@ -21,11 +23,12 @@ std::vector<Face_descriptor> tips_of(const Mesh& mesh, std::size_t number)
 template <typename Tips>
 Segmentation segmentation_from_tips(const Mesh& mesh, const Tips& tips)
 {
-  return checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, Geodesic_distance(),
-                                                   Histogram_method());
-  });
+  return checked(mesh,
+                 [&](auto ids)
+                 {
+                   return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, Geodesic_distance(),
+                                                                  Histogram_method());
+                 });
 }
 
 void tips_alone_and_from_tips_make_the_whole()
@@ -33,11 +36,10 @@ void tips_alone_and_from_tips_make_the_whole()
   const std::vector<Face_descriptor> tips = tips_of(star_mesh(), 4);
   CHECK_EQUAL(tips.size(), 4);
   std::set<std::size_t> arms;
-  for(const Face_descriptor tip : tips)
+  for (const Face_descriptor tip : tips)
     arms.insert(star_soup().parts[tip]);
   CHECK(arms == (std::set<std::size_t>{1, 2, 3, 4}));
-  CHECK(segmentation_from_tips(star_mesh(), tips).labels
-        == paper_segmentation(star_mesh(), 5).labels);
+  CHECK(segmentation_from_tips(star_mesh(), tips).labels == paper_segmentation(star_mesh(), 5).labels);
 }
 
 void edited_tips_make_the_segments_of_those_left()
@@ -47,8 +49,8 @@ void edited_tips_make_the_segments_of_those_left()
   tips.erase(tips.begin() + 1);
   const Segmentation found = segmentation_from_tips(star_mesh(), tips);
   CHECK_EQUAL(found.number, 4);
-  for(std::size_t f = 0; f < found.labels.size(); ++f)
-    if(star_soup().parts[f] == left_out)
+  for (std::size_t f = 0; f < found.labels.size(); ++f)
+    if (star_soup().parts[f] == left_out)
       CHECK_EQUAL(found.labels[f], 0);
   CHECK_EQUAL(segmentation_from_tips(star_mesh(), std::vector<Face_descriptor>()).number, 1);
   CHECK_EQUAL(segmentation_from_tips(star_mesh(), std::array<Face_descriptor, 1>{tips[0]}).number, 2);
@@ -91,10 +93,8 @@ void components_share_the_tips()
   {
     const std::vector<Face_descriptor> tips = tips_of(mesh, number);
     CHECK_EQUAL(tips.size(), number);
-    return std::count_if(tips.begin(), tips.end(), [&](Face_descriptor f)
-    {
-      return std::size_t(f) < small.faces.size();
-    });
+    return std::count_if(tips.begin(), tips.end(),
+                         [&](Face_descriptor f) { return std::size_t(f) < small.faces.size(); });
   };
   CHECK_EQUAL(tips_on_small(1), 0);
   CHECK_EQUAL(tips_on_small(4), 0); // area 4 to 1

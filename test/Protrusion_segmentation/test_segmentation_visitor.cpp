@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a visitor is told, and how it stops the method.
@@ -44,18 +46,18 @@ void a_visitor_is_told_what_is_found()
   const double factor = 3; // lengths and areas are in the unit of the mesh
   const Test_mesh soup = scaled(star_soup(), factor);
   Recorder recorder;
-  const Segmentation found =
-    paper_segmentation(to_graph<Mesh>(soup), 5, parameters::visitor(std::ref(recorder)));
+  const Segmentation found = paper_segmentation(to_graph<Mesh>(soup), 5,
+                                                parameters::visitor(std::ref(recorder)));
 
   CHECK(recorder.open.empty());
-  for(const Stage stage : {Stage::READING, Stage::TIPS, Stage::BORDERS, Stage::LABELS})
+  for (const Stage stage : {Stage::READING, Stage::TIPS, Stage::BORDERS, Stage::LABELS})
     CHECK(recorder.stages[stage] > 0);
   CHECK(std::is_sorted(recorder.shares.begin(), recorder.shares.end()));
   CHECK_EQUAL(recorder.shares.back(), 1);
   CHECK(recorder.runs > 4 && recorder.runs < 200);
 
   CHECK_EQUAL(recorder.protrusions.size(), 4);
-  for(const Protrusion& protrusion : recorder.protrusions)
+  for (const Protrusion& protrusion : recorder.protrusions)
   {
     CHECK(protrusion.parent < protrusion.segment && protrusion.segment < found.number);
     CHECK_EQUAL(found.labels[protrusion.tip], protrusion.segment);
@@ -65,7 +67,7 @@ void a_visitor_is_told_what_is_found()
     const double girth = 2 * pi * 0.15 * factor;
     CHECK(protrusion.border_length > girth && protrusion.border_length < 2 * girth);
     double area = 0;
-    for(std::size_t f = 0; f < found.labels.size(); ++f)
+    for (std::size_t f = 0; f < found.labels.size(); ++f)
       area += found.labels[f] == protrusion.segment ? face_area(soup, soup.faces[f]) : 0;
     CHECK_CLOSE(protrusion.area, area, 1e-9 * area);
     CHECK(protrusion.score >= 0.3);
@@ -93,14 +95,15 @@ void a_visitor_stops_the_method_at_every_question()
   Recorder all;
   paper_segmentation(star_mesh(), 5, parameters::visitor(std::ref(all)));
   CHECK(all.questions > 5);
-  for(std::size_t question = 1; question <= all.questions; ++question)
+  for (std::size_t question = 1; question <= all.questions; ++question)
   {
     Recorder recorder;
     recorder.stop_at = question;
     std::map<Mesh::Edge_index, bool> is_border;
     const Segmentation found = paper_segmentation(
-      star_mesh(), 5, parameters::visitor(std::ref(recorder))
-                        .edge_is_constrained_map(boost::make_assoc_property_map(is_border)));
+      star_mesh(), 5,
+      parameters::visitor(std::ref(recorder))
+        .edge_is_constrained_map(boost::make_assoc_property_map(is_border)));
     CHECK_EQUAL(found.number, 0); // and `checked()` sees that nothing was written
     CHECK(is_border.empty());
     CHECK_EQUAL(recorder.questions, question);
@@ -111,11 +114,21 @@ void a_visitor_stops_the_method_at_every_question()
 // Throws in the function of the given number, and then at the end of every stage that is left for it.
 struct Failing_visitor
 {
-  enum Function { STARTS, ENDS, PROGRESS, GO_FURTHER, TIP, PROTRUSION, DISTANCES, NUMBER_OF_FUNCTIONS };
+  enum Function
+  {
+    STARTS,
+    ENDS,
+    PROGRESS,
+    GO_FURTHER,
+    TIP,
+    PROTRUSION,
+    DISTANCES,
+    NUMBER_OF_FUNCTIONS
+  };
 
   void fail(int function)
   {
-    if(function == failing)
+    if (function == failing)
       throw std::runtime_error("the visitor's own");
   }
 
@@ -123,7 +136,7 @@ struct Failing_visitor
   void stage_ends(Stage)
   {
     fail(ENDS);
-    if(std::uncaught_exceptions() > 0)
+    if (std::uncaught_exceptions() > 0)
       throw std::runtime_error("a second one");
   }
   void progress(double) { fail(PROGRESS); }
@@ -143,7 +156,7 @@ struct Failing_visitor
 template <typename Border>
 void exceptions_of_a_visitor_get_through(const Border& border)
 {
-  for(int function = 0; function < Failing_visitor::NUMBER_OF_FUNCTIONS; ++function)
+  for (int function = 0; function < Failing_visitor::NUMBER_OF_FUNCTIONS; ++function)
   {
     Segment_ids<Mesh> ids(star_mesh());
     std::map<Mesh::Edge_index, bool> is_border;

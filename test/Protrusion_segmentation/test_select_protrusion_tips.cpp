@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Protrusion tips (Section III.C) are the faces of eq. (1) and eq. (2).
@@ -31,13 +33,13 @@ void check_equations(const Indexed_surface& part, std::size_t count)
   CHECK_EQUAL(selection.number_of_eliminated, 0);
 
   std::vector<double> value; // of every face, in the equation that selects the next tip
-  for(const std::vector<double>& row : d)
+  for (const std::vector<double>& row : d)
     value.push_back(internal::distance_sum(row));
   bool first = true;
-  for(const Index tip : selection.tips)
+  for (const Index tip : selection.tips)
   {
     CHECK(value[tip] >= *std::max_element(value.begin(), value.end()) * (1 - 1e-12));
-    for(std::size_t f = 0; f < value.size(); ++f)
+    for (std::size_t f = 0; f < value.size(); ++f)
       value[f] = first ? d[tip][f] : std::min(value[f], d[tip][f]);
     first = false;
   }
@@ -45,7 +47,7 @@ void check_equations(const Indexed_surface& part, std::size_t count)
 
 void tips_maximize_both_equations()
 {
-  for(std::uint_fast32_t seed = 0; seed < 60; ++seed)
+  for (std::uint_fast32_t seed = 0; seed < 60; ++seed)
     check_equations(to_surface_part(random_surface(seed)), 1 + seed % 12);
   check_equations(to_surface_part(icosahedron()), 20);
   check_equations(to_surface_part(sheet(5, 4)), 20);
@@ -53,12 +55,12 @@ void tips_maximize_both_equations()
 
 void tips_of_a_star_are_at_the_ends_of_its_arms()
 {
-  for(const std::size_t arms : {3, 6, 9})
+  for (const std::size_t arms : {3, 6, 9})
   {
     const Test_mesh mesh = star(arms);
     const Indexed_surface part = to_surface_part(mesh);
     std::set<std::size_t> parts;
-    for(const Index tip : tips_of(part, arms).tips)
+    for (const Index tip : tips_of(part, arms).tips)
     {
       const std::size_t arm = mesh.parts[tip];
       parts.insert(arm);
@@ -84,14 +86,12 @@ void implausible_tips_are_eliminated_and_counted()
   const Indexed_surface part = to_surface_part(bumpy_sphere(3, 4));
   const std::vector<Index> all = tips_of(part, 7).tips;
   const auto is_plausible = [&](Index face)
-  {
-    return (std::find(all.begin(), all.end(), face) - all.begin()) % 2 == 0;
-  };
+  { return (std::find(all.begin(), all.end(), face) - all.begin()) % 2 == 0; };
   std::vector<Index> visited;
   const auto visit = [&](Index face, const std::vector<double>&) { visited.push_back(face); };
   auto distances = Geodesic_distance().on(part, 0);
-  const Tip_selection selection =
-    internal::select_protrusion_tips(part, distances, 4, is_plausible, visit);
+  const Tip_selection selection = internal::select_protrusion_tips(part, distances, 4, is_plausible,
+                                                                   visit);
   CHECK(visited == all); // an eliminated face still keeps the next ones away
   CHECK(selection.tips == (std::vector<Index>{all[0], all[2], all[4], all[6]}));
   CHECK_EQUAL(selection.number_of_eliminated, 3);
@@ -115,8 +115,8 @@ void each_tip_is_visited_with_its_distances()
     CHECK_EQUAL(from_tip.size(), part.number_of_faces());
     CHECK_EQUAL(from_tip[tip], 0);
   };
-  const Tip_selection selection =
-    internal::select_protrusion_tips(part, distances, 5, all_plausible, visit);
+  const Tip_selection selection = internal::select_protrusion_tips(part, distances, 5, all_plausible,
+                                                                   visit);
   CHECK(visited == selection.tips);
   CHECK_EQUAL(distances.number_of_runs(), 2 * runs_of_search + 5); // one run a tip after eq. (1)
 }
@@ -137,8 +137,8 @@ void distances_without_a_search_take_all_pairs()
 {
   const Indexed_surface part = to_surface_part(random_surface(11));
   Plain_distances plain = {internal::Shortest_distances(part)};
-  const Tip_selection selection =
-    internal::select_protrusion_tips(part, plain, 3, all_plausible, no_visit);
+  const Tip_selection selection = internal::select_protrusion_tips(part, plain, 3, all_plausible,
+                                                                   no_visit);
   CHECK(selection.tips == tips_of(part, 3).tips);
   CHECK_EQUAL(plain.runs, part.number_of_faces() + 3);
 }

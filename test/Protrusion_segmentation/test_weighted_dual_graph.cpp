@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The weights of seams (what minimum cuts are made of) and the coarse graph.
@@ -21,7 +23,7 @@ void smoothed_normals_of_a_sphere_point_outward()
 {
   const Indexed_surface part = to_surface_part(jittered(icosphere(4), 0.005, 1));
   const auto normals = internal::smooth_normals(part, 0.03 * std::sqrt(part.area()));
-  for(Index f = 0; f < part.number_of_faces(); ++f)
+  for (Index f = 0; f < part.number_of_faces(); ++f)
   {
     const Indexed_surface::Vector_3 radius = part.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
     CHECK_CLOSE(normals[f].squared_length(), 1, 1e-12);
@@ -35,29 +37,29 @@ void diffusion_keeps_the_mean()
 {
   const Indexed_surface part = to_surface_part(random_surface(7));
   internal::Diffusion::Values values(part.number_of_faces());
-  for(Index f = 0; f < values.size(); ++f)
+  for (Index f = 0; f < values.size(); ++f)
     values[f] = {double(f % 3), double(f % 5) / 2, 0.5};
   internal::Diffusion::Values first_only(values.size());
-  for(Index f = 0; f < values.size(); ++f)
+  for (Index f = 0; f < values.size(); ++f)
     first_only[f] = {values[f][0], 0, 0};
   const internal::Diffusion::Values start = values;
   internal::Diffusion diffuse(part, 0.01 * part.area());
   diffuse(values);
   diffuse(first_only);
   std::array<double, 3> before = {0, 0, 0}, after = {0, 0, 0};
-  for(Index f = 0; f < values.size(); ++f)
+  for (Index f = 0; f < values.size(); ++f)
   {
     CHECK_EQUAL(values[f][0], first_only[f][0]);
     CHECK_EQUAL(first_only[f][1], 0);
     CHECK_CLOSE(values[f][2], 0.5, 1e-12);
-    for(int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i)
     {
       before[i] += part.area(f) * start[f][i];
       after[i] += part.area(f) * values[f][i];
       CHECK(values[f][i] > -0.01 && values[f][i] < 2.01);
     }
   }
-  for(int i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i)
     CHECK_CLOSE(after[i], before[i], 1e-2 * before[i]);
 }
 
@@ -65,8 +67,8 @@ void diffusion_keeps_the_mean()
 void check_symmetry(const Weighted_dual_graph& graph)
 {
   std::map<std::pair<Index, Index>, std::array<double, 3>> weights;
-  for(Index i = 0; i < graph.number_of_nodes(); ++i)
-    for(const Index arc : graph.arcs(i))
+  for (Index i = 0; i < graph.number_of_nodes(); ++i)
+    for (const Index arc : graph.arcs(i))
     {
       std::array<double, 3>& sum = weights[{i, graph.target[arc]}];
       sum[0] += graph.capacity[arc];
@@ -76,12 +78,12 @@ void check_symmetry(const Weighted_dual_graph& graph)
       CHECK(graph.seam_length(arc) >= graph.length[arc]);
       CHECK(graph.concave_border_length[arc] <= graph.border_length[arc] * (1 + 1e-6));
     }
-  for(const auto& [arc, sum] : weights)
+  for (const auto& [arc, sum] : weights)
   {
     const auto opposite = weights.find({arc.second, arc.first});
     CHECK(opposite != weights.end());
-    if(opposite != weights.end())
-      for(int i = 0; i < 3; ++i)
+    if (opposite != weights.end())
+      for (int i = 0; i < 3; ++i)
         CHECK_CLOSE(opposite->second[i], sum[i], 1e-6);
   }
 }
@@ -89,7 +91,7 @@ void check_symmetry(const Weighted_dual_graph& graph)
 double sum(const std::vector<float>& values)
 {
   double result = 0;
-  for(const float value : values)
+  for (const float value : values)
     result += value;
   return result;
 }
@@ -104,8 +106,8 @@ void seams_lie_where_parts_meet()
   check_symmetry(graph);
   double between = 0, inside = 0;
   std::size_t count_between = 0, count_inside = 0;
-  for(Index f = 0; f < part.number_of_faces(); ++f)
-    for(const Index arc : graph.arcs(f))
+  for (Index f = 0; f < part.number_of_faces(); ++f)
+    for (const Index arc : graph.arcs(f))
     {
       const bool same = mesh.parts[f] == mesh.parts[graph.target[arc]];
       (same ? inside : between) += graph.capacity[arc] / graph.border_length[arc];
@@ -119,8 +121,10 @@ void seams_lie_where_parts_meet()
 
 void weights_do_not_depend_on_scale()
 {
-  const Weighted_dual_graph small = internal::make_weighted_dual_graph(to_surface_part(scaled(star(3), 0.5)));
-  const Weighted_dual_graph large = internal::make_weighted_dual_graph(to_surface_part(scaled(star(3), 64)));
+  const Weighted_dual_graph small = internal::make_weighted_dual_graph(
+    to_surface_part(scaled(star(3), 0.5)));
+  const Weighted_dual_graph large = internal::make_weighted_dual_graph(
+    to_surface_part(scaled(star(3), 64)));
   CHECK(small.capacity == large.capacity);
   CHECK(small.curvature == large.curvature);
 }
@@ -135,32 +139,32 @@ void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_o
 
   std::vector<double> area(n, 0);
   double border = 0;
-  for(Index f = 0; f < fine.number_of_nodes(); ++f)
+  for (Index f = 0; f < fine.number_of_nodes(); ++f)
   {
     area[coarse.node[f]] += fine.area[f];
-    for(const Index arc : fine.arcs(f))
-      if(coarse.node[fine.target[arc]] != coarse.node[f])
+    for (const Index arc : fine.arcs(f))
+      if (coarse.node[fine.target[arc]] != coarse.node[f])
         border += fine.capacity[arc];
   }
-  for(Index i = 0; i < n; ++i)
+  for (Index i = 0; i < n; ++i)
     CHECK_CLOSE(area[i], coarse.graph.area[i], 1e-12);
   CHECK_CLOSE(sum(coarse.graph.capacity), border, 1e-4 * (1 + border));
 
   // every node's faces are reached from its first one
   std::vector<bool> has_begun(n, false), is_reached(fine.number_of_nodes(), false);
   std::size_t reached = 0;
-  for(Index f = 0; f < fine.number_of_nodes(); ++f)
+  for (Index f = 0; f < fine.number_of_nodes(); ++f)
   {
-    if(has_begun[coarse.node[f]])
+    if (has_begun[coarse.node[f]])
       continue;
     has_begun[coarse.node[f]] = true;
     std::vector<Index> queue(1, f);
     is_reached[f] = true;
-    for(std::size_t i = 0; i < queue.size(); ++i, ++reached)
-      for(const Index arc : fine.arcs(queue[i]))
+    for (std::size_t i = 0; i < queue.size(); ++i, ++reached)
+      for (const Index arc : fine.arcs(queue[i]))
       {
         const Index g = fine.target[arc];
-        if(!is_reached[g] && coarse.node[g] == coarse.node[f])
+        if (!is_reached[g] && coarse.node[g] == coarse.node[f])
         {
           is_reached[g] = true;
           queue.push_back(g);
@@ -180,7 +184,7 @@ int main()
   coarse_nodes_are_connected_and_add_up(sheet(20, 30), 50);
   coarse_nodes_are_connected_and_add_up(icosahedron(), 2000);
   coarse_nodes_are_connected_and_add_up(merged({torus(), icosphere(3)}), 100);
-  for(unsigned int seed = 0; seed < 20; ++seed)
+  for (unsigned int seed = 0; seed < 20; ++seed)
     coarse_nodes_are_connected_and_add_up(random_surface(seed), 10);
   return check::result();
 }

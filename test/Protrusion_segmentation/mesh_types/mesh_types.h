@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // One test for all mesh types: the same body gets the same labels from every distance and border
@@ -9,8 +11,7 @@
 #include "segmentations.h"
 #include "test_mesh.h"
 
-namespace mesh_types
-{
+namespace mesh_types {
 
 using namespace test_meshes;
 
@@ -27,10 +28,7 @@ const Labels& expected_default_labels();
 template <typename FaceGraph>
 Segmentation default_segmentation(const FaceGraph& mesh, std::size_t k)
 {
-  return checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids, k);
-  });
+  return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k); });
 }
 
 // The edges between two segments, as the function marks them and as the labels have them.
@@ -39,10 +37,9 @@ void marks_the_borders(const FaceGraph& mesh)
 {
   const auto is_border = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
   Segment_ids<FaceGraph> ids(mesh);
-  CGAL::segmentation_via_protrusion_tips(
-    mesh, ids.map(), number_of_segments,
-    CGAL::parameters::edge_is_constrained_map(is_border));
-  for(const auto e : edges(mesh))
+  CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), number_of_segments,
+                                         CGAL::parameters::edge_is_constrained_map(is_border));
+  for (const auto e : edges(mesh))
   {
     const auto f = face(halfedge(e, mesh), mesh), g = face(opposite(halfedge(e, mesh), mesh), mesh);
     CHECK_EQUAL(get(is_border, e), get(ids.map(), f) != get(ids.map(), g));
