@@ -9,7 +9,7 @@
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Surface/read_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 
 #include <CGAL/Surface_mesh.h>
 
@@ -18,9 +18,16 @@ using namespace CGAL::Protrusion_segmentation::internal;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
+struct Surface_of_mesh
+{
+  Indexed_surface surface;
+  double unit;
+};
+
 Surface_of_mesh surface_of(const Mesh& mesh)
 {
-  return read_surface(mesh, CGAL::parameters::default_values());
+  Arrays_of_mesh arrays = read_surface(mesh, CGAL::parameters::default_values());
+  return {std::move(arrays.surface).to_surface(), arrays.unit};
 }
 
 Surface_of_mesh surface_of(const Test_mesh& mesh)
@@ -37,16 +44,16 @@ void check_point(const Indexed_surface::Point_3& p, double x, double y, double z
 
 void areas_and_centroids_of_triangles_and_polygons()
 {
-  const Indexed_surface triangle = to_surface_part(single_triangle());
+  const Indexed_surface triangle = to_surface(single_triangle());
   CHECK_CLOSE(triangle.area(0), 0.5, 1e-15);
   check_point(triangle.centroid(0), 1. / 3, 1. / 3, 0);
 
-  const Indexed_surface quad = to_surface_part(sheet(1, 1, 3, 2));
+  const Indexed_surface quad = to_surface(sheet(1, 1, 3, 2));
   CHECK_CLOSE(quad.area(0), 6, 1e-14);
   check_point(quad.centroid(0), 1.5, 1, 0);
 
   // The L: a square of area 3 + 1 less a unit square; its corners' mean is elsewhere.
-  const Indexed_surface l = to_surface_part(l_prism());
+  const Indexed_surface l = to_surface(l_prism());
   CHECK_CLOSE(l.area(6), 3, 1e-14);
   check_point(l.centroid(6), 5. / 6, 5. / 6, 0);
   check_point(l.centroid(7), 5. / 6, 5. / 6, 1);
@@ -64,9 +71,9 @@ void polygons_may_begin_at_any_corner()
     Face face = prism.faces[7];
     std::rotate(face.begin(), face.begin() + std::ptrdiff_t(first), face.end());
     mesh.add_face(face);
-    const Indexed_surface part = to_surface_part(mesh);
-    CHECK_CLOSE(part.area(0), 3, 1e-14);
-    check_point(part.centroid(0), 5. / 6, 5. / 6, 1);
+    const Indexed_surface surface = to_surface(mesh);
+    CHECK_CLOSE(surface.area(0), 3, 1e-14);
+    check_point(surface.centroid(0), 5. / 6, 5. / 6, 1);
   }
 }
 
@@ -83,10 +90,10 @@ void centroids_of_degenerate_polygons_are_inside()
       Test_mesh mesh;
       mesh.points.assign(corners.begin(), corners.end());
       mesh.add_face({0, 1, 2, 3});
-      const Indexed_surface part = to_surface_part(mesh);
-      CHECK(part.area(0) >= 0);
+      const Indexed_surface surface = to_surface(mesh);
+      CHECK(surface.area(0) >= 0);
       for (int i = 0; i < 3; ++i)
-        CHECK(std::abs(part.centroid(0)[i]) <= 2);
+        CHECK(std::abs(surface.centroid(0)[i]) <= 2);
     }
 }
 
@@ -95,8 +102,8 @@ void arcs_join_the_faces_that_share_an_edge()
   for (const Test_mesh& mesh : {icosphere(2), football(), l_prism(), sheet(5, 4), torus(),
                                 moebius_strip(), box(2, 2, 2), height_field(6, 5, 1)})
   {
-    const Indexed_surface part = to_surface_part(mesh);
-    const auto& graph = part.dual_graph();
+    const Indexed_surface surface = to_surface(mesh);
+    const auto& graph = surface.dual_graph();
     std::map<Edge, int> expected, found;
     std::map<Edge, std::vector<std::size_t>> sharing;
     for (const auto& item : faces_of_edges(mesh))
@@ -113,42 +120,42 @@ void arcs_join_the_faces_that_share_an_edge()
       const Index f = source(arc, graph), g = target(arc, graph);
       ++found[{f, g}];
       CHECK_CLOSE(graph[arc].length,
-                  std::sqrt(CGAL::squared_distance(part.centroid(f), part.centroid(g))), 1e-15);
+                  std::sqrt(CGAL::squared_distance(surface.centroid(f), surface.centroid(g))), 1e-15);
     }
     CHECK_EQUAL(num_vertices(graph), mesh.faces.size());
     CHECK(found == expected);
-    CHECK_CLOSE(part.area(), area(mesh), 1e-12 * area(mesh));
+    CHECK_CLOSE(surface.area(), area(mesh), 1e-12 * area(mesh));
   }
 }
 
 void corners_follow_the_mesh()
 {
   const Test_mesh mesh = l_prism();
-  const Indexed_surface part = to_surface_part(mesh);
-  CHECK_EQUAL(part.number_of_faces(), 8);
-  CHECK_EQUAL(part.number_of_vertices(), 12);
-  CHECK_EQUAL(part.number_of_corners(), 6 * 4 + 2 * 6);
-  for (Index f = 0; f < part.number_of_faces(); ++f)
+  const Indexed_surface surface = to_surface(mesh);
+  CHECK_EQUAL(surface.number_of_faces(), 8);
+  CHECK_EQUAL(surface.number_of_vertices(), 12);
+  CHECK_EQUAL(surface.number_of_corners(), 6 * 4 + 2 * 6);
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
-    Index corner = part.first_corner(f);
+    Index corner = surface.first_corner(f);
     for (std::size_t v : mesh.faces[f])
     {
-      CHECK_EQUAL(part.vertex(corner), v);
-      corner = part.next_corner(f, corner);
+      CHECK_EQUAL(surface.vertex(corner), v);
+      corner = surface.next_corner(f, corner);
     }
-    CHECK_EQUAL(corner, part.first_corner(f)); // round the face
+    CHECK_EQUAL(corner, surface.first_corner(f)); // round the face
   }
-  const Indexed_surface sheet_part = to_surface_part(sheet(1, 1, 3, 2));
-  CHECK_EQUAL(sheet_part.neighbor(0), Indexed_surface::no_face());
-  CHECK_CLOSE(sheet_part.edge_length(0, 0), 3, 1e-15);
-  CHECK_CLOSE(sheet_part.edge_length(0, 3), 2, 1e-15);
+  const Indexed_surface sheet_surface = to_surface(sheet(1, 1, 3, 2));
+  CHECK_EQUAL(sheet_surface.neighbor(0), Indexed_surface::no_face());
+  CHECK_CLOSE(sheet_surface.edge_length(0, 0), 3, 1e-15);
+  CHECK_CLOSE(sheet_surface.edge_length(0, 3), 2, 1e-15);
 }
 
 // The same surface, but for the unit, as the one made from the arrays directly.
 void check_read(const Test_mesh& mesh)
 {
   const Surface_of_mesh read = surface_of(mesh);
-  const Indexed_surface expected = to_surface_part(mesh);
+  const Indexed_surface expected = to_surface(mesh);
   CHECK_EQUAL(read.surface.number_of_faces(), expected.number_of_faces());
   CHECK_EQUAL(read.surface.number_of_corners(), expected.number_of_corners());
   for (Index f = 0; f < expected.number_of_faces(); ++f)

@@ -53,24 +53,24 @@ std::map<std::string, Mesh> meshes()
           {"random", rounded(jittered(random_surface(3), 0.5, 3))}};
 }
 
-template <typename Distance, typename Border>
-Method method(const Distance& distance, const Border& border)
+template <typename Segmentation_method>
+Method method(const Segmentation_method& segmentation_method)
 {
-  return [distance, border](const Mesh& mesh)
+  return [segmentation_method](const Mesh& mesh)
   {
     return checked(mesh, [&](auto ids)
-                   { return CGAL::segmentation_via_protrusion_tips(mesh, ids, 6, distance, border); })
+                   { return CGAL::segmentation_via_protrusion_tips(mesh, ids, 6, segmentation_method); })
       .labels;
   };
 }
 
 std::map<std::string, Method> methods()
 {
-  return {{"minimum-cut", method(Geodesic_distance(), Minimum_cut_method())},
-          {"paper", method(Geodesic_distance(), Histogram_method())},
-          {"paper-landmark", method(Landmark_geodesic_distance(), Histogram_method())},
-          {"paper-diffusion", method(Diffusion_distance(), Histogram_method())},
-          {"paper-heat", method(Heat_distance(), Histogram_method())}};
+  return {{"minimum-cut", method(Minimum_cut_method())},
+          {"paper", method(Histogram_method())},
+          {"paper-landmark", method(Histogram_method(Landmark_geodesic_distance()))},
+          {"paper-diffusion", method(Histogram_method(Diffusion_distance()))},
+          {"paper-heat", method(Histogram_method(Heat_distance()))}};
 }
 
 // FNV-1a
@@ -114,19 +114,35 @@ void write_golden_labels()
 }
 
 // Some threads, more threads than processors, and one.
-void the_number_of_threads_does_not_matter()
+template <typename Segmentation_method>
+void check_threads(const Segmentation_method& segmentation_method)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const Mesh mesh = rounded(creature(0.2));
-  const CGAL::Parallel_tag tag;
-  const Labels expected = method(Landmark_geodesic_distance(), Histogram_method())(mesh);
+  const Labels expected = method(segmentation_method)(mesh);
   for (const std::size_t threads : {1, 2, 8})
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    CHECK(method(Landmark_geodesic_distance().concurrency_tag(tag),
-                 Histogram_method().concurrency_tag(tag))(mesh) == expected);
+    const Segmentation found =
+      checked(mesh,
+              [&](auto ids)
+              {
+                return CGAL::segmentation_via_protrusion_tips<CGAL::Parallel_tag>(mesh, ids, 6,
+                                                                                  segmentation_method);
+              });
+    CHECK(found.labels == expected);
   }
+#else
+  static_cast<void>(segmentation_method);
 #endif
+}
+
+void the_number_of_threads_does_not_matter()
+{
+  check_threads(Histogram_method());
+  check_threads(Histogram_method(Landmark_geodesic_distance()));
+  check_threads(Minimum_cut_method());
+  check_threads(Minimum_cut_method(Landmark_geodesic_distance()));
 }
 
 // No digit of a coordinate changes, hence no label.

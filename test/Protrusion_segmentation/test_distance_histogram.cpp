@@ -29,9 +29,9 @@ void slots_hold_the_faces_at_their_distances()
 {
   for (std::uint_fast32_t seed = 0; seed < 50; ++seed)
   {
-    const Indexed_surface part = to_surface_part(random_surface(seed));
+    const Indexed_surface surface = to_surface(random_surface(seed));
     std::vector<double> distances;
-    Shortest_distances shortest(part);
+    Shortest_distances shortest(surface);
     shortest(Index(seed % 40), distances);
     const Slots slots(distances);
     const Distance_histogram& histogram = slots.histogram();
@@ -61,10 +61,10 @@ void counts_on_a_cylinder_are_even()
 {
   const std::size_t slices = 12;
   const Test_mesh mesh = revolution(Profile(0.01).line(1e-3, 0, 1e-3, 4, 0), slices);
-  const Indexed_surface part = to_surface_part(mesh);
-  CHECK_EQUAL(part.number_of_faces(), 400 * slices);
+  const Indexed_surface surface = to_surface(mesh);
+  CHECK_EQUAL(surface.number_of_faces(), 400 * slices);
   std::vector<double> distances;
-  Shortest_distances shortest(part);
+  Shortest_distances shortest(surface);
   shortest(0, distances);
   const Distance_histogram histogram = Slots(distances).histogram();
   CHECK_CLOSE(histogram.range, 3.99, 0.01);

@@ -38,22 +38,23 @@ double sum(const std::vector<double>& values)
   return std::accumulate(values.begin(), values.end(), 0.);
 }
 
-void check_definition(const Indexed_surface& part, std::size_t number_of_landmarks, unsigned int seed)
+void check_definition(const Indexed_surface& surface, std::size_t number_of_landmarks, unsigned int seed)
 {
-  const std::vector<Index> landmarks = internal::select_landmarks(part.number_of_faces(),
+  const std::vector<Index> landmarks = internal::select_landmarks(surface.number_of_faces(),
                                                                   number_of_landmarks, seed);
-  const Matrix expected = landmark_distances(all_pairs_distances(part), landmarks);
+  const Matrix expected = landmark_distances(all_pairs_distances(surface), landmarks);
+  Execution execution(seed);
   auto distances =
-    Landmark_geodesic_distance::with_number_of_landmarks(number_of_landmarks).on(part, seed);
+    Landmark_geodesic_distance::with_number_of_landmarks(number_of_landmarks).on(surface, execution);
   CHECK_EQUAL(distances.number_of_runs(), landmarks.size());
 
   double largest = 0;
   std::vector<double> row;
-  for (Index i = 0; i < part.number_of_faces(); ++i)
+  for (Index i = 0; i < surface.number_of_faces(); ++i)
   {
     distances(i, row);
     double error = 0;
-    for (Index j = 0; j < part.number_of_faces(); ++j)
+    for (Index j = 0; j < surface.number_of_faces(); ++j)
       error = std::max(error, std::abs(row[j] - expected[i][j]));
     CHECK(error < 1e-12);
     largest = std::max(largest, sum(expected[i]));
@@ -65,24 +66,25 @@ void distances_and_sums_follow_the_definition()
 {
   for (unsigned int seed = 0; seed < 40; ++seed)
   {
-    const Indexed_surface part = to_surface_part(random_surface(seed));
+    const Indexed_surface surface = to_surface(random_surface(seed));
     for (std::size_t number : {1, 3, 10, 1000})
-      check_definition(part, number, seed);
+      check_definition(surface, number, seed);
   }
-  check_definition(to_surface_part(single_triangle()), 1, 0);
-  check_definition(to_surface_part(tetrahedron()), 2, 0);
-  check_definition(to_surface_part(thin_strip(1)), 1, 5);
+  check_definition(to_surface(single_triangle()), 1, 0);
+  check_definition(to_surface(tetrahedron()), 2, 0);
+  check_definition(to_surface(thin_strip(1)), 1, 5);
 }
 
 // With every face a landmark the distances are the geodesic ones.
 void all_faces_as_landmarks_give_the_geodesic_distance()
 {
-  const Indexed_surface part = to_surface_part(random_surface(8));
-  const Matrix geodesic = all_pairs_distances(part);
-  auto distances = Landmark_geodesic_distance(1).on(part, 3);
+  const Indexed_surface surface = to_surface(random_surface(8));
+  const Matrix geodesic = all_pairs_distances(surface);
+  Execution execution(3);
+  auto distances = Landmark_geodesic_distance(1).on(surface, execution);
   std::vector<double> row;
   distances(7, row);
-  for (Index j = 0; j < part.number_of_faces(); ++j)
+  for (Index j = 0; j < surface.number_of_faces(); ++j)
     CHECK_CLOSE(row[j], geodesic[7][j], 1e-12);
 }
 
@@ -120,14 +122,14 @@ void landmarks_are_spread_evenly()
 
 void options_choose_the_number_of_landmarks()
 {
-  const Indexed_surface part = to_surface_part(icosphere(2)); // 320 faces
-  CHECK_EQUAL(Landmark_geodesic_distance().on(part, 0).number_of_runs(), 16);
-  CHECK_EQUAL(Landmark_geodesic_distance(0.1).on(part, 0).number_of_runs(), 32);
-  CHECK_EQUAL(Landmark_geodesic_distance(1).on(part, 0).number_of_runs(), 320);
-  CHECK_EQUAL(Landmark_geodesic_distance(1e-9).on(part, 0).number_of_runs(), 1);
+  const Indexed_surface surface = to_surface(icosphere(2)); // 320 faces
+  CHECK_EQUAL(Landmark_geodesic_distance().on(surface, quiet_execution()).number_of_runs(), 16);
+  CHECK_EQUAL(Landmark_geodesic_distance(0.1).on(surface, quiet_execution()).number_of_runs(), 32);
+  CHECK_EQUAL(Landmark_geodesic_distance(1).on(surface, quiet_execution()).number_of_runs(), 320);
+  CHECK_EQUAL(Landmark_geodesic_distance(1e-9).on(surface, quiet_execution()).number_of_runs(), 1);
   const auto with_number = Landmark_geodesic_distance::with_number_of_landmarks;
-  CHECK_EQUAL(with_number(1).on(part, 0).number_of_runs(), 1);
-  CHECK_EQUAL(with_number(1000).on(part, 0).number_of_runs(), 320);
+  CHECK_EQUAL(with_number(1).on(surface, quiet_execution()).number_of_runs(), 1);
+  CHECK_EQUAL(with_number(1000).on(surface, quiet_execution()).number_of_runs(), 320);
 }
 
 void impossible_options_are_refused()

@@ -12,7 +12,8 @@
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/segment_mesh.h>
+#include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -23,41 +24,41 @@
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 
-std::size_t runs_of_search(const Indexed_surface& part)
+std::size_t runs_of_search(const Indexed_surface& surface)
 {
-  auto distances = Geodesic_distance().on(part, 0);
+  auto distances = Geodesic_distance().on(surface, quiet_execution());
   distances.face_of_largest_sum();
   return distances.number_of_runs();
 }
 
-void check_same_face(const Indexed_surface& part)
+void check_same_face(const Indexed_surface& surface)
 {
-  internal::Shortest_distances distances(part);
-  const Index expected = internal::largest_distance_sum_of_all_pairs(part, distances);
-  CHECK_EQUAL(distances.number_of_runs(), part.number_of_faces());
-  CHECK_EQUAL(Geodesic_distance().on(part, 0).face_of_largest_sum(), expected);
+  internal::Shortest_distances distances(surface);
+  const Index expected = internal::largest_distance_sum_of_all_pairs(surface, distances, quiet_execution());
+  CHECK_EQUAL(distances.number_of_runs(), surface.number_of_faces());
+  CHECK_EQUAL(Geodesic_distance().on(surface, quiet_execution()).face_of_largest_sum(), expected);
 }
 
 void check_same_face(const Test_mesh& mesh)
 {
-  check_same_face(to_surface_part(mesh));
+  check_same_face(to_surface(mesh));
 }
 
 void all_pairs_take_the_lowest_of_the_largest_sums()
 {
-  const Indexed_surface part = to_surface_part(random_surface(3));
-  const auto d = all_pairs_distances(part);
+  const Indexed_surface surface = to_surface(random_surface(3));
+  const auto d = all_pairs_distances(surface);
   std::vector<double> sums;
   for (const std::vector<double>& row : d)
     sums.push_back(internal::distance_sum(row));
-  auto distances = Geodesic_distance().on(part, 0);
+  auto distances = Geodesic_distance().on(surface, quiet_execution());
   const auto largest = std::max_element(sums.begin(), sums.end());
-  CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(part, distances), largest - sums.begin());
+  CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(surface, distances, quiet_execution()), largest - sums.begin());
 
   // Exact sums: both ends of a strip of unit squares tie.
-  const Indexed_surface strip = to_surface_part(sheet(16, 1));
-  auto on_strip = Geodesic_distance().on(strip, 0);
-  CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(strip, on_strip), 0);
+  const Indexed_surface strip = to_surface(sheet(16, 1));
+  auto on_strip = Geodesic_distance().on(strip, quiet_execution());
+  CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(strip, on_strip, quiet_execution()), 0);
 }
 
 void same_face_as_all_pairs_on_random_surfaces()
@@ -104,17 +105,17 @@ void faces_in_one_point_need_one_run()
 {
   const Test_mesh point = scaled(icosphere(3), 0);
   check_same_face(point);
-  CHECK_EQUAL(runs_of_search(to_surface_part(point)), 1);
+  CHECK_EQUAL(runs_of_search(to_surface(point)), 1);
 }
 
 // On a sphere with bumps all sums are alike.
 void the_number_of_visits_can_be_limited()
 {
-  const Indexed_surface part = to_surface_part(bumpy_sphere(3, 1));
+  const Indexed_surface surface = to_surface(bumpy_sphere(3, 1));
   Geodesic_distance distance;
   CHECK_EQUAL(distance.maximum_number_of_visits(2).maximum_number_of_visits(), 2);
-  auto distances = distance.on(part, 0);
-  CHECK(distances.face_of_largest_sum() < part.number_of_faces());
+  auto distances = distance.on(surface, quiet_execution());
+  CHECK(distances.face_of_largest_sum() < surface.number_of_faces());
   CHECK_EQUAL(distances.number_of_runs(), 2);
   CHECK_THROWS_WITH(distance.maximum_number_of_visits(0), std::invalid_argument,
                     "maximum_number_of_visits is 0");
@@ -127,9 +128,9 @@ void few_runs_on_large_meshes()
 {
   const auto check_runs = [](const Test_mesh& mesh, std::size_t most)
   {
-    const Indexed_surface part = to_surface_part(mesh);
-    const std::size_t runs = runs_of_search(part);
-    std::cout << part.number_of_faces() << " faces: " << runs << " runs\n";
+    const Indexed_surface surface = to_surface(mesh);
+    const std::size_t runs = runs_of_search(surface);
+    std::cout << surface.number_of_faces() << " faces: " << runs << " runs\n";
     CHECK(runs <= most);
   };
   check_runs(bumpy_sphere(5, 1), 80);
@@ -153,11 +154,12 @@ void same_face_as_all_pairs_on_models(const std::filesystem::path& folder)
   {
     CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
     CHECK(CGAL::IO::read_polygon_mesh(file.string(), mesh));
-    const internal::Canonical_surface surface(mesh, CGAL::parameters::default_values());
+    internal::Arrays_of_mesh input = internal::read_surface(mesh, CGAL::parameters::default_values());
+    const internal::Canonical_surface canonical(std::move(input.surface), input.unit);
+    const Indexed_surface& surface = canonical.surface();
     std::cout << file.filename().string() << ", ";
-    std::cout << surface.part.number_of_faces() << " faces: " << runs_of_search(surface.part)
-              << " runs\n";
-    check_same_face(surface.part);
+    std::cout << surface.number_of_faces() << " faces: " << runs_of_search(surface) << " runs\n";
+    check_same_face(surface);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Tip_orders.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 
 #include <numeric>
@@ -19,6 +20,11 @@ using internal::Graph_partition;
 using internal::Level_set;
 using internal::Weighted_dual_graph;
 using Nodes = Graph_partition::Nodes;
+
+Weighted_dual_graph weighted_dual_graph(const Indexed_surface& surface)
+{
+  return internal::make_weighted_dual_graph(surface, internal::default_cut_policy(), quiet_execution());
+}
 
 Nodes all_nodes(const Weighted_dual_graph& graph)
 {
@@ -67,10 +73,10 @@ double best_component(const Weighted_dual_graph& graph, const Nodes& order)
 
 void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
 {
-  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(to_surface_part(mesh));
+  const Weighted_dual_graph graph = weighted_dual_graph(to_surface(mesh));
   Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
   Nodes order = partition.nodes_by_distance(
-    Nodes(1, tip % graph.number_of_nodes()), [](Index) { return true; }, graph.seam_lengths());
+    Nodes(1, tip % graph.number_of_nodes()), [](Index) { return true; }, graph.seam_lengths()).nodes;
   CHECK_EQUAL(order.size(), graph.number_of_nodes());
   internal::Level_set_sweep sweep(partition);
   for (const bool descending : {false, true})
@@ -90,12 +96,11 @@ void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
 // Over all subsets of the band.
 void minimum_cuts_are_minimal(unsigned int seed)
 {
-  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(
-    to_surface_part(random_surface(seed)));
+  const Weighted_dual_graph graph = weighted_dual_graph(to_surface(random_surface(seed)));
   const Index n = graph.number_of_nodes();
   Graph_partition partition(graph, std::vector<Index>(n, 0));
   const Nodes order = partition.nodes_by_distance(
-    Nodes(1, 0), [](Index) { return true; }, graph.lengths());
+    Nodes(1, 0), [](Index) { return true; }, graph.lengths()).nodes;
   const Index half = n / 2;
   if (half < 6 || half + 6 > n)
     return;
@@ -130,24 +135,23 @@ void minimum_cuts_are_minimal(unsigned int seed)
 
 void both_sides_of_a_cut_are_connected(unsigned int seed)
 {
-  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(
-    to_surface_part(random_surface(seed)));
-  const Nodes part = all_nodes(graph);
-  Graph_partition partition(graph, std::vector<Index>(part.size(), 0));
+  const Weighted_dual_graph graph = weighted_dual_graph(to_surface(random_surface(seed)));
+  const Nodes nodes = all_nodes(graph);
+  Graph_partition partition(graph, std::vector<Index>(nodes.size(), 0));
   Random random(seed);
   Nodes some;
-  for (const Index i : part)
+  for (const Index i : nodes)
     if (random.index(3) == 0)
       some.push_back(i);
   if (some.empty())
     return;
-  const Nodes inner = partition.connect_sides(part, 0, some);
+  const Nodes inner = partition.connect_sides(nodes, 0, some);
   for (const bool side : {true, false})
   {
     const auto on_side = [&](Index i) { return partition.is_inner(i) == side; };
-    const auto first = std::find_if(part.begin(), part.end(), on_side);
-    const std::size_t size = side ? inner.size() : part.size() - inner.size();
-    if (first != part.end())
+    const auto first = std::find_if(nodes.begin(), nodes.end(), on_side);
+    const std::size_t size = side ? inner.size() : nodes.size() - inner.size();
+    if (first != nodes.end())
       CHECK_EQUAL(partition.connected_nodes(*first, on_side).size(), size);
     else
       CHECK_EQUAL(size, 0);
@@ -158,11 +162,12 @@ void both_sides_of_a_cut_are_connected(unsigned int seed)
 void best_cuts_of_a_star_are_its_arms()
 {
   const Test_mesh mesh = star(6);
-  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(to_surface_part(mesh));
-  const Nodes part = all_nodes(graph);
-  Graph_partition partition(graph, std::vector<Index>(part.size(), 0));
-  internal::Cut_search search(partition);
-  const std::vector<internal::Cut> cuts = search.cuts(0, part, search.tip_fields(0, part));
+  const Weighted_dual_graph graph = weighted_dual_graph(to_surface(mesh));
+  const Nodes nodes = all_nodes(graph);
+  Graph_partition partition(graph, std::vector<Index>(nodes.size(), 0));
+  internal::Cut_search search(partition, internal::default_cut_policy());
+  internal::Tip_orders tip_orders(partition);
+  const std::vector<internal::Cut> cuts = search.cuts(0, nodes, tip_orders.from_all_tips(0, nodes));
   // more than one, but not always all: the others are found in what remains
   constexpr std::size_t least_number = 3;
   CHECK(cuts.size() >= least_number);

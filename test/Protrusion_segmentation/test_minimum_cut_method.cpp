@@ -95,8 +95,7 @@ void tips_of_a_user_are_cut_off()
                                      [&](auto ids)
                                      {
                                        return CGAL::segmentation_from_protrusion_tips(
-                                         mesh, tips, ids, PS::Geodesic_distance(),
-                                         PS::Minimum_cut_method());
+                                         mesh, tips, ids, PS::Minimum_cut_method());
                                      });
   CHECK_EQUAL(found.number, 4);
   std::set<std::size_t> segments;
@@ -114,8 +113,7 @@ void other_distances_serve_the_search()
                                      [&](auto ids)
                                      {
                                        return CGAL::segmentation_via_protrusion_tips(
-                                         mesh, ids, 5, PS::Landmark_geodesic_distance(0.05),
-                                         PS::Minimum_cut_method());
+                                         mesh, ids, 5, PS::Minimum_cut_method(PS::Landmark_geodesic_distance(0.05)));
                                      });
   CHECK_EQUAL(found.number, 5);
   CHECK(share_in_true_parts(soup, found.labels) > 0.85);

@@ -86,13 +86,13 @@ std::vector<Points> components_by_slicer(const Mesh& mesh, const Section_plane& 
   return sorted_components(components);
 }
 
-std::vector<Points> components_by_walk(const Indexed_surface& part,
+std::vector<Points> components_by_walk(const Indexed_surface& surface,
                                        Plane_section& section,
                                        const Section_plane& plane)
 {
   std::vector<Points> components;
   section.start();
-  for (Index f = 0; f < part.number_of_faces(); ++f)
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
     std::vector<Indexed_surface::Point_3> points;
     section.component(f, plane, points);
@@ -112,15 +112,15 @@ class Sliced_mesh
 public:
   explicit Sliced_mesh(const Test_mesh& mesh)
     : m_mesh(to_graph<Mesh>(mesh)),
-      m_part(to_surface_part(mesh)),
-      m_section(m_part)
+      m_surface(to_surface(mesh)),
+      m_section(m_surface)
   {}
 
   // Returns the number of components.
   std::size_t check(const Section_plane& plane)
   {
     const std::vector<Points> expected = components_by_slicer(m_mesh, plane);
-    const std::vector<Points> found = components_by_walk(m_part, m_section, plane);
+    const std::vector<Points> found = components_by_walk(m_surface, m_section, plane);
     CHECK_EQUAL(found.size(), expected.size());
     for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i)
     {
@@ -135,7 +135,7 @@ public:
 
 private:
   Mesh m_mesh;
-  Indexed_surface m_part;
+  Indexed_surface m_surface;
   Plane_section m_section;
 };
 
@@ -189,14 +189,14 @@ void planes_through_vertices_and_edges_give_the_same_points()
 
 void a_plane_beside_the_surface_crosses_nothing()
 {
-  const Indexed_surface part = to_surface_part(icosphere(2));
-  Plane_section section(part);
+  const Indexed_surface surface = to_surface(icosphere(2));
+  Plane_section section(surface);
   std::vector<Indexed_surface::Point_3> points;
   for (const Section_plane& plane :
        {Section_plane{{0, 0, 2}, {0, 0, 1}}, Section_plane{{0, 0, 0}, {0, 0, 0}}})
   {
     section.start();
-    for (Index f = 0; f < part.number_of_faces(); ++f)
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
       section.component(f, plane, points);
     CHECK(points.empty());
   }
@@ -204,14 +204,14 @@ void a_plane_beside_the_surface_crosses_nothing()
 
 void a_component_is_given_once_a_section()
 {
-  const Indexed_surface part = to_surface_part(icosphere(2));
-  Plane_section section(part);
+  const Indexed_surface surface = to_surface(icosphere(2));
+  Plane_section section(surface);
   const Section_plane plane = {{0, 0, 0.1}, {0.1, 0.2, 1}};
   std::vector<Indexed_surface::Point_3> once, again;
   const auto section_of_all_faces = [&](std::vector<Indexed_surface::Point_3>& points)
   {
     section.start();
-    for (Index f = 0; f < part.number_of_faces(); ++f)
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
       section.component(f, plane, points);
   };
   section_of_all_faces(once);

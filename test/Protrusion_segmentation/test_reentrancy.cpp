@@ -20,29 +20,27 @@ using namespace CGAL::Protrusion_segmentation;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-template <typename Distance, typename Border>
-Labels labels(const Mesh& mesh, const Distance& distance, const Border& border)
+template <typename Method>
+Labels labels(const Mesh& mesh, const Method& method)
 {
   Labels result(mesh.number_of_faces(), unwritten);
   CGAL::segmentation_via_protrusion_tips(
-    mesh, boost::make_iterator_property_map(result.begin(), get(boost::face_index, mesh)), 4, distance,
-    border);
+    mesh, boost::make_iterator_property_map(result.begin(), get(boost::face_index, mesh)), 4, method);
   return result;
 }
 
 int main()
 {
   const Mesh mesh = to_graph<Mesh>(star(3, 1, 0.3, 0.04, 0.4));
-  const Geodesic_distance geodesic;
-  const Landmark_geodesic_distance landmark;
-  const Diffusion_distance diffusion;
-  const Histogram_method histogram;
   const Minimum_cut_method minimum_cut;
+  const Minimum_cut_method minimum_cut_by_diffusion{Diffusion_distance()};
+  const Histogram_method geodesic;
+  const Histogram_method landmark{Landmark_geodesic_distance()};
+  const Histogram_method diffusion{Diffusion_distance()};
   const std::vector<std::function<Labels()>> methods = {
-    [&]() { return labels(mesh, geodesic, minimum_cut); },
-    [&]() { return labels(mesh, geodesic, histogram); },
-    [&]() { return labels(mesh, landmark, histogram); },
-    [&]() { return labels(mesh, diffusion, histogram); }};
+    [&]() { return labels(mesh, minimum_cut); }, [&]() { return labels(mesh, minimum_cut_by_diffusion); },
+    [&]() { return labels(mesh, geodesic); }, [&]() { return labels(mesh, landmark); },
+    [&]() { return labels(mesh, diffusion); }};
 
   std::vector<Labels> expected;
   for (const auto& method : methods)

@@ -19,10 +19,10 @@ class Seen_from_below
 {
 public:
   explicit Seen_from_below(const Test_mesh& mesh)
-    : m_part(to_surface_part(mesh)),
-      m_distances(distances_from_lowest(m_part)),
+    : m_surface(to_surface(mesh)),
+      m_distances(distances_from_lowest(m_surface)),
       m_slots(m_distances),
-      m_diameters(histogram(m_part, m_distances, m_slots))
+      m_diameters(histogram(m_surface, m_distances, m_slots))
   {}
 
   double diameter(std::size_t slot) const { return m_diameters[slot]; }
@@ -32,39 +32,39 @@ public:
   {
     double sum = 0;
     for (const Index f : m_slots.faces(slot))
-      sum += m_part.centroid(f).z();
+      sum += m_surface.centroid(f).z();
     return sum / double(m_slots.faces(slot).size());
   }
 
   Section_plane plane(std::size_t slot) const
   {
-    return plane_of_slot(m_part, m_distances, m_slots, slot);
+    return plane_of_slot(m_surface, m_distances, m_slots, slot);
   }
 
   const Distance_histogram& counts() const { return m_slots.histogram(); }
 
 private:
-  static std::vector<double> distances_from_lowest(const Indexed_surface& part)
+  static std::vector<double> distances_from_lowest(const Indexed_surface& surface)
   {
     Index lowest = 0;
-    for (Index f = 0; f < part.number_of_faces(); ++f)
-      if (part.centroid(f).z() < part.centroid(lowest).z())
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
+      if (surface.centroid(f).z() < surface.centroid(lowest).z())
         lowest = f;
     std::vector<double> distances;
-    Shortest_distances shortest(part);
+    Shortest_distances shortest(surface);
     shortest(lowest, distances);
     return distances;
   }
 
-  static std::array<double, number_of_slots> histogram(const Indexed_surface& part,
+  static std::array<double, number_of_slots> histogram(const Indexed_surface& surface,
                                                        const std::vector<double>& distances,
                                                        const Slots& slots)
   {
-    Plane_section section(part);
-    return sectional_diameter_histogram(part, distances, slots, section);
+    Plane_section section(surface);
+    return sectional_diameter_histogram(surface, distances, slots, section, quiet_execution());
   }
 
-  Indexed_surface m_part;
+  Indexed_surface m_surface;
   std::vector<double> m_distances;
   Slots m_slots;
   std::array<double, number_of_slots> m_diameters;

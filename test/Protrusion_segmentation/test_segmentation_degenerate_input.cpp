@@ -18,8 +18,8 @@ using namespace CGAL::Protrusion_segmentation;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 // Valid for numbers of segments from one to all faces and without a number, and from tips.
-template <typename Distance, typename Border>
-void check_method(const Mesh& mesh, const Distance& distance, const Border& border)
+template <typename Method>
+void check_method(const Mesh& mesh, const std::vector<Mesh::Face_index>& tips, const Method& method)
 {
   const std::size_t n = mesh.number_of_faces();
   std::set<std::size_t> numbers = {1, 2, 5, 20};
@@ -30,30 +30,42 @@ void check_method(const Mesh& mesh, const Distance& distance, const Border& bord
     {
       const Segmentation found = checked(
         mesh,
-        [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, distance, border); });
+        [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, method); });
       CHECK(found.number >= 1);
     }
   const Segmentation found = checked(
-    mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, distance, border); });
+    mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, method); });
   CHECK_EQUAL(found.number > 0, n > 0);
 
-  std::vector<Mesh::Face_index> tips;
-  CGAL::protrusion_tips(mesh, std::min<std::size_t>(4, n), std::back_inserter(tips), distance);
   const Segmentation from_tips = checked(
     mesh,
-    [&](auto ids) { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, distance, border); });
+    [&](auto ids) { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, method); });
   CHECK_EQUAL(from_tips.number > 0, n > 0);
+}
+
+template <typename Distance>
+std::vector<Mesh::Face_index> tips_of(const Mesh& mesh, const Distance& distance)
+{
+  std::vector<Mesh::Face_index> tips;
+  CGAL::protrusion_tips(mesh, std::min<std::size_t>(4, mesh.number_of_faces()), std::back_inserter(tips),
+                        distance);
+  return tips;
 }
 
 void check_valid(const Mesh& mesh)
 {
-  check_method(mesh, Geodesic_distance(), Minimum_cut_method());
-  check_method(mesh, Landmark_geodesic_distance(), Minimum_cut_method());
-  check_method(mesh, Geodesic_distance(), Histogram_method());
-  check_method(mesh, Landmark_geodesic_distance(), Histogram_method());
-  check_method(mesh, Geodesic_distance(),
-               Histogram_method().uses_candidate_intervals(false).minimum_prominence(1e-6));
-  check_method(mesh, Diffusion_distance(), Histogram_method());
+  const auto check_both = [&](const auto& distance)
+  {
+    const std::vector<Mesh::Face_index> tips = tips_of(mesh, distance);
+    check_method(mesh, tips, Minimum_cut_method(distance));
+    check_method(mesh, tips, Histogram_method(distance));
+  };
+  check_both(Geodesic_distance());
+  check_both(Landmark_geodesic_distance());
+  check_both(Diffusion_distance());
+  const std::vector<Mesh::Face_index> tips = tips_of(mesh, Geodesic_distance());
+  check_method(mesh, tips, Minimum_cut_method());
+  check_method(mesh, tips, Histogram_method().uses_candidate_intervals(false).minimum_prominence(1e-6));
 }
 
 void awkward_meshes_have_valid_segmentations()
@@ -132,7 +144,7 @@ void check_not_finite(const Number& bad)
   CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3), std::invalid_argument,
                     "vertex 20 has a coordinate that is not finite");
   CHECK_THROWS_WITH(
-    CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3, Geodesic_distance(), Histogram_method()),
+    CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3, Histogram_method()),
     std::invalid_argument, "not finite");
   CHECK(is_untouched({0, ids.labels()}));
   std::vector<typename Bad_mesh::Face_index> tips;

@@ -26,8 +26,7 @@ Segmentation segmentation_from_tips(const Mesh& mesh, const Tips& tips)
   return checked(mesh,
                  [&](auto ids)
                  {
-                   return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, Geodesic_distance(),
-                                                                  Histogram_method());
+                   return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, Histogram_method());
                  });
 }
 
@@ -69,12 +68,10 @@ void impossible_tips_are_refused()
 {
   Segment_ids<Mesh> ids(star_mesh());
   const std::vector<Face_descriptor> beyond(1, Face_descriptor(unsigned(num_faces(star_mesh()))));
-  CHECK_THROWS_WITH(CGAL::segmentation_from_protrusion_tips(star_mesh(), beyond, ids.map(),
-                                                            Geodesic_distance(), Histogram_method()),
+  CHECK_THROWS_WITH(CGAL::segmentation_from_protrusion_tips(star_mesh(), beyond, ids.map(), Histogram_method()),
                     std::invalid_argument, "tips");
   CHECK_THROWS_WITH(CGAL::segmentation_from_protrusion_tips(
-                      star_mesh(), std::vector<Face_descriptor>(1, Mesh::null_face()), ids.map(),
-                      Geodesic_distance(), Histogram_method()),
+                      star_mesh(), std::vector<Face_descriptor>(1, Mesh::null_face()), ids.map(), Histogram_method()),
                     std::invalid_argument, "tips");
   CHECK(is_untouched({0, ids.labels()}));
   CHECK_THROWS_WITH(tips_of(to_graph<Mesh>(tetrahedron()), 5), std::invalid_argument,

@@ -15,11 +15,11 @@ namespace parameters = CGAL::parameters;
 
 // Automatic number of segments.
 template <typename FaceGraph>
-Segmentation evident_protrusions(const FaceGraph& mesh, const Histogram_method& border = {})
+Segmentation evident_protrusions(const FaceGraph& mesh, const Histogram_method& method = Histogram_method())
 {
   return checked(mesh,
                  [&](auto ids) {
-                   return CGAL::segmentation_via_protrusion_tips(mesh, ids, Geodesic_distance(), border);
+                   return CGAL::segmentation_via_protrusion_tips(mesh, ids, method);
                  });
 }
 
@@ -33,7 +33,7 @@ Segmentation landmark_segmentation(
                  [&](auto ids)
                  {
                    return CGAL::segmentation_via_protrusion_tips(
-                     mesh, ids, k, distance, Histogram_method(), parameters::random_seed(seed));
+                     mesh, ids, k, Histogram_method(distance), parameters::random_seed(seed));
                  });
 }
 
@@ -130,8 +130,7 @@ void impossible_numbers_of_segments_are_refused()
   Segment_ids<Mesh> ids(mesh);
   const auto segment = [&](std::size_t k)
   {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Geodesic_distance(),
-                                                  Histogram_method());
+    return CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Histogram_method());
   };
   CHECK_THROWS_WITH(segment(0), std::invalid_argument, "number_of_segments is 0");
   CHECK_THROWS_WITH(segment(81), std::invalid_argument, "only 80 faces");
@@ -162,8 +161,7 @@ void options_decide_what_is_evident()
                         [&](auto ids)
                         {
                           return CGAL::segmentation_via_protrusion_tips(
-                            mesh, ids, 2, Geodesic_distance(),
-                            Histogram_method().minimum_prominence(prominence));
+                            mesh, ids, 2, Histogram_method().minimum_prominence(prominence));
                         })
                   .number,
                 2);

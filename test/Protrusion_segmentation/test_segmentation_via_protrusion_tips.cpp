@@ -46,9 +46,12 @@ void balls_are_cut_off_sticks()
 }
 
 // Numbers of the segments that they were cut from.
-struct Parents : Default_visitor
+struct Parents : Segmentation_visitor<Mesh>
 {
-  void protrusion_found(const Protrusion& protrusion) { parents.insert(protrusion.parent); }
+  void on_protrusion(const Protrusion<face_descriptor>& protrusion) override
+  {
+    parents.insert(protrusion.parent);
+  }
   std::set<std::size_t> parents;
 };
 

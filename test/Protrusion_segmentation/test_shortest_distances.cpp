@@ -16,10 +16,10 @@
 using namespace test_meshes;
 using CGAL::Protrusion_segmentation::internal::Shortest_distances;
 
-std::vector<double> boost_distances(const Indexed_surface& part, Index source)
+std::vector<double> boost_distances(const Indexed_surface& surface, Index source)
 {
-  const auto& graph = part.dual_graph();
-  std::vector<double> distances(part.number_of_faces());
+  const auto& graph = surface.dual_graph();
+  std::vector<double> distances(surface.number_of_faces());
   boost::dijkstra_shortest_paths(
     graph, source,
     boost::weight_map(get(&Indexed_surface::Arc::length, graph))
@@ -30,14 +30,14 @@ std::vector<double> boost_distances(const Indexed_surface& part, Index source)
 
 void check_bitwise(const Test_mesh& mesh, std::size_t number_of_sources = 10)
 {
-  const Indexed_surface part = to_surface_part(mesh);
-  Shortest_distances shortest(part);
+  const Indexed_surface surface = to_surface(mesh);
+  Shortest_distances shortest(surface);
   std::vector<double> distances;
-  const Index step = Index(1 + (part.number_of_faces() - 1) / number_of_sources);
-  for (Index source = 0; source < part.number_of_faces(); source += step)
+  const Index step = Index(1 + (surface.number_of_faces() - 1) / number_of_sources);
+  for (Index source = 0; source < surface.number_of_faces(); source += step)
   {
     shortest(source, distances);
-    CHECK(distances == boost_distances(part, source));
+    CHECK(distances == boost_distances(surface, source));
   }
 }
 
@@ -45,12 +45,12 @@ void equals_floyd_warshall()
 {
   for (std::uint_fast32_t seed = 0; seed < 20; ++seed)
   {
-    const Indexed_surface part = to_surface_part(random_surface(seed));
-    const auto expected = all_pairs_distances(part);
-    Shortest_distances shortest(part);
+    const Indexed_surface surface = to_surface(random_surface(seed));
+    const auto expected = all_pairs_distances(surface);
+    Shortest_distances shortest(surface);
     std::vector<double> distances;
     double error = 0;
-    for (Index source = 0; source < part.number_of_faces(); ++source)
+    for (Index source = 0; source < surface.number_of_faces(); ++source)
     {
       shortest(source, distances);
       for (std::size_t f = 0; f < distances.size(); ++f)
@@ -103,7 +103,7 @@ void zero_length_arcs_are_passed()
   check_bitwise(mesh);
 
   check_bitwise(scaled(mesh, 0)); // all faces in one point
-  const Indexed_surface point = to_surface_part(scaled(mesh, 0));
+  const Indexed_surface point = to_surface(scaled(mesh, 0));
   std::vector<double> distances;
   Shortest_distances shortest(point);
   shortest(5, distances);
@@ -113,9 +113,9 @@ void zero_length_arcs_are_passed()
 void other_components_are_unreachable()
 {
   const Test_mesh one = icosphere(1);
-  const Indexed_surface part = to_surface_part(merged({one, translated(one, {5, 0, 0})}));
+  const Indexed_surface surface = to_surface(merged({one, translated(one, {5, 0, 0})}));
   std::vector<double> distances;
-  Shortest_distances shortest(part);
+  Shortest_distances shortest(surface);
   shortest(0, distances);
   for (std::size_t f = 0; f < distances.size(); ++f)
     CHECK_EQUAL(distances[f] == Shortest_distances::unreachable(), f >= one.faces.size());
@@ -127,8 +127,8 @@ void a_bound_changes_no_distance_within_it()
 {
   for (std::uint_fast32_t seed = 0; seed < 50; ++seed)
   {
-    const Indexed_surface part = to_surface_part(random_surface(seed));
-    Shortest_distances shortest(part);
+    const Indexed_surface surface = to_surface(random_surface(seed));
+    Shortest_distances shortest(surface);
     std::vector<double> all, bounded;
     shortest(0, all);
     const double range = *std::max_element(all.begin(), all.end());
@@ -145,11 +145,11 @@ void a_bound_changes_no_distance_within_it()
 
 void a_bound_saves_work()
 {
-  const Indexed_surface part = to_surface_part(bumpy_sphere(5, 1));
-  Shortest_distances shortest(part);
+  const Indexed_surface surface = to_surface(bumpy_sphere(5, 1));
+  Shortest_distances shortest(surface);
   std::vector<double> distances;
   shortest(0, distances, 0.2);
-  CHECK(shortest.number_of_scanned_faces() < part.number_of_faces() / 20);
+  CHECK(shortest.number_of_scanned_faces() < surface.number_of_faces() / 20);
 }
 
 // Guards the work, not the time: about one scan a face.
@@ -158,13 +158,13 @@ void faces_are_scanned_about_once()
   for (const Test_mesh& mesh : {bumpy_sphere(5, 1), triangulated(torus(2, 0.5, 200, 60)), sheet(100, 100),
                                 height_field(80, 80, 3)})
   {
-    const Indexed_surface part = to_surface_part(mesh);
-    Shortest_distances shortest(part);
+    const Indexed_surface surface = to_surface(mesh);
+    Shortest_distances shortest(surface);
     std::vector<double> distances;
-    for (Index source : {Index(0), part.number_of_faces() / 2})
+    for (Index source : {Index(0), surface.number_of_faces() / 2})
       shortest(source, distances);
     CHECK_EQUAL(shortest.number_of_runs(), 2);
-    CHECK(double(shortest.number_of_scanned_faces()) <= 2 * 1.25 * part.number_of_faces());
+    CHECK(double(shortest.number_of_scanned_faces()) <= 2 * 1.25 * surface.number_of_faces());
   }
 }
 

@@ -19,13 +19,18 @@ using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 using internal::Weighted_dual_graph;
 
+Weighted_dual_graph weighted_dual_graph(const Indexed_surface& surface)
+{
+  return internal::make_weighted_dual_graph(surface, internal::default_cut_policy(), quiet_execution());
+}
+
 void smoothed_normals_of_a_sphere_point_outward()
 {
-  const Indexed_surface part = to_surface_part(jittered(icosphere(4), 0.005, 1));
-  const auto normals = internal::smooth_normals(part, 0.03 * std::sqrt(part.area()));
-  for (Index f = 0; f < part.number_of_faces(); ++f)
+  const Indexed_surface surface = to_surface(jittered(icosphere(4), 0.005, 1));
+  const auto normals = internal::smooth_normals(surface, 0.03 * std::sqrt(surface.area()), quiet_execution());
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
-    const Indexed_surface::Vector_3 radius = part.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
+    const Indexed_surface::Vector_3 radius = surface.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
     CHECK_CLOSE(normals[f].squared_length(), 1, 1e-12);
     CHECK(normals[f] * radius > 0.98 * std::sqrt(radius.squared_length()));
   }
@@ -35,17 +40,17 @@ void smoothed_normals_of_a_sphere_point_outward()
 // the last one is solved at once, know nothing of each other.
 void diffusion_keeps_the_mean()
 {
-  const Indexed_surface part = to_surface_part(random_surface(7));
-  internal::Diffusion::Values values(part.number_of_faces());
+  const Indexed_surface surface = to_surface(random_surface(7));
+  internal::Diffusion::Values values(surface.number_of_faces());
   for (Index f = 0; f < values.size(); ++f)
     values[f] = {double(f % 3), double(f % 5) / 2, 0.5};
   internal::Diffusion::Values first_only(values.size());
   for (Index f = 0; f < values.size(); ++f)
     first_only[f] = {values[f][0], 0, 0};
   const internal::Diffusion::Values start = values;
-  internal::Diffusion diffuse(part, 0.01 * part.area());
-  diffuse(values);
-  diffuse(first_only);
+  internal::Diffusion diffuse(surface, 0.01 * surface.area());
+  diffuse(values, quiet_execution());
+  diffuse(first_only, quiet_execution());
   std::array<double, 3> before = {0, 0, 0}, after = {0, 0, 0};
   for (Index f = 0; f < values.size(); ++f)
   {
@@ -54,8 +59,8 @@ void diffusion_keeps_the_mean()
     CHECK_CLOSE(values[f][2], 0.5, 1e-12);
     for (int i = 0; i < 3; ++i)
     {
-      before[i] += part.area(f) * start[f][i];
-      after[i] += part.area(f) * values[f][i];
+      before[i] += surface.area(f) * start[f][i];
+      after[i] += surface.area(f) * values[f][i];
       CHECK(values[f][i] > -0.01 && values[f][i] < 2.01);
     }
   }
@@ -100,13 +105,13 @@ double sum(const std::vector<float>& values)
 void seams_lie_where_parts_meet()
 {
   const Test_mesh mesh = star(5);
-  const Indexed_surface part = to_surface_part(mesh);
-  const Indexed_surface reversed = to_surface_part(with_reversed_orientation(mesh));
-  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(part);
+  const Indexed_surface surface = to_surface(mesh);
+  const Indexed_surface reversed = to_surface(with_reversed_orientation(mesh));
+  const Weighted_dual_graph graph = weighted_dual_graph(surface);
   check_symmetry(graph);
   double between = 0, inside = 0;
   std::size_t count_between = 0, count_inside = 0;
-  for (Index f = 0; f < part.number_of_faces(); ++f)
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
     for (const Index arc : graph.arcs(f))
     {
       const bool same = mesh.parts[f] == mesh.parts[graph.target[arc]];
@@ -116,23 +121,21 @@ void seams_lie_where_parts_meet()
   CHECK(count_between > 0);
   CHECK(between / double(count_between) < 0.7 * inside / double(count_inside));
   // what is inside is found out from the volume: an inward orientation gives the same weights
-  CHECK_CLOSE(sum(internal::make_weighted_dual_graph(reversed).capacity), sum(graph.capacity), 1e-3);
+  CHECK_CLOSE(sum(weighted_dual_graph(reversed).capacity), sum(graph.capacity), 1e-3);
 }
 
 void weights_do_not_depend_on_scale()
 {
-  const Weighted_dual_graph small = internal::make_weighted_dual_graph(
-    to_surface_part(scaled(star(3), 0.5)));
-  const Weighted_dual_graph large = internal::make_weighted_dual_graph(
-    to_surface_part(scaled(star(3), 64)));
+  const Weighted_dual_graph small = weighted_dual_graph(to_surface(scaled(star(3), 0.5)));
+  const Weighted_dual_graph large = weighted_dual_graph(to_surface(scaled(star(3), 64)));
   CHECK(small.capacity == large.capacity);
   CHECK(small.curvature == large.curvature);
 }
 
 void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_of_nodes)
 {
-  const Weighted_dual_graph fine = internal::make_weighted_dual_graph(to_surface_part(mesh));
-  const internal::Coarse_graph coarse = internal::coarsen(fine, number_of_nodes);
+  const Weighted_dual_graph fine = weighted_dual_graph(to_surface(mesh));
+  const internal::Coarse_graph coarse = internal::coarsen(fine, number_of_nodes, quiet_execution());
   const Index n = coarse.graph.number_of_nodes();
   CHECK(n <= fine.number_of_nodes());
   check_symmetry(coarse.graph);

@@ -49,14 +49,14 @@ private:
   std::string m_name;
 };
 
-template <typename Distance, typename Border>
-void segment(const tool::Mesh& mesh, std::size_t k, const Distance& distance, const Border& border)
+template <typename Method>
+void segment(const tool::Mesh& mesh, std::size_t k, const Method& method)
 {
   std::vector<std::size_t> ids(mesh.number_of_faces(), mesh.number_of_faces());
   const auto map = boost::make_iterator_property_map(ids.begin(), get(boost::face_index, mesh));
-  const std::size_t number = k == 0 ? CGAL::segmentation_via_protrusion_tips(mesh, map, distance, border)
+  const std::size_t number = k == 0 ? CGAL::segmentation_via_protrusion_tips(mesh, map, method)
                                     : CGAL::segmentation_via_protrusion_tips(
-                                        mesh, map, (std::min)(k, ids.size()), distance, border);
+                                        mesh, map, (std::min)(k, ids.size()), method);
   const auto problem = internal::problem_with_segmentation(mesh, map, number);
   require(!problem, problem.value_or(""));
 }
@@ -66,13 +66,13 @@ void segment(const tool::Mesh& mesh, std::size_t method, std::size_t k)
   switch (method)
   {
   case 0:
-    return segment(mesh, k, Geodesic_distance(), Minimum_cut_method());
+    return segment(mesh, k, Minimum_cut_method());
   case 1:
-    return segment(mesh, k, Geodesic_distance(), Histogram_method());
+    return segment(mesh, k, Histogram_method());
   case 2:
-    return segment(mesh, k, Landmark_geodesic_distance(), Histogram_method());
+    return segment(mesh, k, Histogram_method(Landmark_geodesic_distance()));
   default:
-    return segment(mesh, k, Diffusion_distance(), Histogram_method());
+    return segment(mesh, k, Histogram_method(Diffusion_distance()));
   }
 }
 

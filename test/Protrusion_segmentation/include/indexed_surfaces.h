@@ -4,11 +4,12 @@
 //
 // Test meshes as surfaces in index arrays, and brute force on their dual graphs.
 
-#ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_SURFACE_PARTS_H
-#define CGAL_TEST_PROTRUSION_SEGMENTATION_SURFACE_PARTS_H
+#ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_INDEXED_SURFACES_H
+#define CGAL_TEST_PROTRUSION_SEGMENTATION_INDEXED_SURFACES_H
 
 #include "test_mesh.h"
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 
 #include <boost/range/iterator_range.hpp>
@@ -17,14 +18,22 @@
 
 namespace test_meshes {
 
+using CGAL::Protrusion_segmentation::Execution;
 using CGAL::Protrusion_segmentation::Indexed_surface;
 using Index = Indexed_surface::Index;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// For what is used alone, outside of a segmentation: nobody listens and nobody stops it.
+inline Execution& quiet_execution()
+{
+  static Execution execution;
+  return execution;
+}
+
 // `mesh` with its coordinates as they are; also meshes that no halfedge structure holds, such as the
 // Moebius strip. Two faces at most share an edge.
-inline Indexed_surface to_surface_part(const Test_mesh& mesh)
+inline Indexed_surface to_surface(const Test_mesh& mesh)
 {
   std::map<Edge, std::vector<Index>> faces_of_edge;
   const auto edge = [](const Face& face, std::size_t i) -> Edge
@@ -55,11 +64,11 @@ inline Indexed_surface to_surface_part(const Test_mesh& mesh)
 }
 
 // The distances of all pairs of faces on the dual graph, by the algorithm of Floyd and Warshall.
-inline std::vector<std::vector<double>> all_pairs_distances(const Indexed_surface& part)
+inline std::vector<std::vector<double>> all_pairs_distances(const Indexed_surface& surface)
 {
-  const std::size_t n = part.number_of_faces();
+  const std::size_t n = surface.number_of_faces();
   std::vector<std::vector<double>> d(n, std::vector<double>(n, infinity));
-  const auto& graph = part.dual_graph();
+  const auto& graph = surface.dual_graph();
   for (const auto arc : boost::make_iterator_range(edges(graph)))
   {
     double& length = d[source(arc, graph)][target(arc, graph)];
@@ -76,4 +85,4 @@ inline std::vector<std::vector<double>> all_pairs_distances(const Indexed_surfac
 
 } // namespace test_meshes
 
-#endif // CGAL_TEST_PROTRUSION_SEGMENTATION_SURFACE_PARTS_H
+#endif // CGAL_TEST_PROTRUSION_SEGMENTATION_INDEXED_SURFACES_H

@@ -80,7 +80,7 @@ Segmentation checked(const FaceGraph& mesh, Segment segment)
   return result;
 }
 
-// The paper's method with the exact geodesic distance.
+// The paper's method.
 template <typename FaceGraph, typename NamedParameters>
 Segmentation paper_segmentation(const FaceGraph& mesh, std::size_t k, const NamedParameters& np)
 {
@@ -88,8 +88,7 @@ Segmentation paper_segmentation(const FaceGraph& mesh, std::size_t k, const Name
   return checked(mesh,
                  [&](auto ids)
                  {
-                   return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, Geodesic_distance(),
-                                                                 Histogram_method(), np);
+                   return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, Histogram_method(), np);
                  });
 }
 

@@ -26,11 +26,11 @@ namespace test_meshes {
 namespace PS = CGAL::Protrusion_segmentation;
 
 template <typename Distance>
-std::vector<std::vector<double>> distance_matrix(const Indexed_surface& part, const Distance& distance)
+std::vector<std::vector<double>> distance_matrix(const Indexed_surface& surface, const Distance& distance)
 {
-  auto distances = distance.on(part, 0);
-  std::vector<std::vector<double>> rows(part.number_of_faces());
-  for (Index f = 0; f < part.number_of_faces(); ++f)
+  auto distances = distance.on(surface, quiet_execution());
+  std::vector<std::vector<double>> rows(surface.number_of_faces());
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
     distances(f, rows[f]);
   return rows;
 }
@@ -49,7 +49,7 @@ void check_is_a_metric(const Distance& distance, double tolerance)
 {
   for (const Test_mesh& mesh : {icosphere(1), box(3, 2, 1), random_surface(4), football()})
   {
-    const auto d = distance_matrix(to_surface_part(mesh), distance);
+    const auto d = distance_matrix(to_surface(mesh), distance);
     const double slack = tolerance * largest_entry(d);
     std::size_t violations = 0;
     for (std::size_t i = 0; i < d.size(); ++i)
@@ -71,12 +71,12 @@ void check_search_finds_the_largest_sum(const Distance& distance, double toleran
   for (const Test_mesh& mesh : {sheet(7, 5), box(3, 2, 1), random_surface(7), bumpy_sphere(2, 3),
                                 single_triangle(), thin_strip(1)})
   {
-    const Indexed_surface part = to_surface_part(mesh);
+    const Indexed_surface surface = to_surface(mesh);
     std::vector<double> sums;
-    for (const std::vector<double>& row : distance_matrix(part, distance))
+    for (const std::vector<double>& row : distance_matrix(surface, distance))
       sums.push_back(PS::internal::distance_sum(row));
     const double largest = *std::max_element(sums.begin(), sums.end());
-    const Index face = distance.on(part, 0).face_of_largest_sum();
+    const Index face = distance.on(surface, quiet_execution()).face_of_largest_sum();
     CHECK_CLOSE(sums[face], largest, tolerance * largest);
   }
 }
@@ -130,16 +130,16 @@ void check_survives_awkward_surfaces(const Distance& distance)
 {
   for (const Test_mesh& mesh : awkward_surfaces())
   {
-    const Indexed_surface part = to_surface_part(mesh);
-    auto distances = distance.on(part, 0);
+    const Indexed_surface surface = to_surface(mesh);
+    auto distances = distance.on(surface, quiet_execution());
     std::vector<double> row;
-    for (Index f = 0; f < part.number_of_faces(); f += 7)
+    for (Index f = 0; f < surface.number_of_faces(); f += 7)
     {
       distances(f, row);
-      CHECK_EQUAL(row.size(), part.number_of_faces());
+      CHECK_EQUAL(row.size(), surface.number_of_faces());
       CHECK(std::all_of(row.begin(), row.end(), [](double d) { return d >= 0 && !std::isnan(d); }));
     }
-    CHECK(distances.face_of_largest_sum() < part.number_of_faces());
+    CHECK(distances.face_of_largest_sum() < surface.number_of_faces());
     CHECK(distances.number_of_runs() > 0);
   }
 }
@@ -159,7 +159,7 @@ inline double share_of_right_faces(const Test_mesh& soup, const std::vector<std:
 }
 
 // One tip on each arm of a star, none on the body; and as many segments as arms and a body by either
-// border method, with the true borders by the one that looks at more than distances.
+// method, with the true borders by the one that looks at more than distances.
 template <typename Distance>
 void check_segments_stars(const Distance& distance, std::size_t most_arms = 6, double cell = 0.22)
 {
@@ -179,10 +179,10 @@ void check_segments_stars(const Distance& distance, std::size_t most_arms = 6, d
     std::vector<std::size_t> ids(soup.faces.size());
     const auto map = boost::make_iterator_property_map(ids.begin(), get(boost::face_index, mesh));
     CHECK_EQUAL(
-      CGAL::segmentation_via_protrusion_tips(mesh, map, arms + 1, distance, PS::Histogram_method()),
+      CGAL::segmentation_via_protrusion_tips(mesh, map, arms + 1, PS::Histogram_method(distance)),
       arms + 1);
     CHECK_EQUAL(
-      CGAL::segmentation_via_protrusion_tips(mesh, map, arms + 1, distance, PS::Minimum_cut_method()),
+      CGAL::segmentation_via_protrusion_tips(mesh, map, arms + 1, PS::Minimum_cut_method(distance)),
       arms + 1);
     CHECK(share_of_right_faces(soup, ids) > 0.95);
   }

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One test for all mesh types: the same body gets the same labels from every distance and border
-// method that reads meshes in a way of its own.
+// One test for all mesh types: the same body gets the same labels by both methods.
 
 #ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_MESH_TYPES_H
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_MESH_TYPES_H
@@ -24,7 +23,7 @@ const Test_mesh& body();
 const Labels& expected_paper_labels();
 const Labels& expected_default_labels();
 
-// With the default distance and border method.
+// With the default method.
 template <typename FaceGraph>
 Segmentation default_segmentation(const FaceGraph& mesh, std::size_t k)
 {
