@@ -138,7 +138,8 @@ void with_tag()
   const auto np = parameters::random_seed(0);
   const Minimum_cut_method method;
   const Labels expected = labels_by(method);
-  check_labels(expected, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips<Tag>(mesh, ids); });
+  check_labels(expected,
+               [&](auto ids) { return CGAL::segmentation_via_protrusion_tips<Tag>(mesh, ids); });
   check_labels(expected,
                [&](auto ids) { return CGAL::segmentation_via_protrusion_tips<Tag>(mesh, ids, 5); });
   check_labels(expected,
@@ -156,8 +157,9 @@ void with_tag()
     check_labels(from_tips(tips),
                  [&](auto ids)
                  {
-                   return i == 0 ? CGAL::segmentation_from_protrusion_tips<Tag>(mesh, tips, ids)
-                                 : CGAL::segmentation_from_protrusion_tips<Tag>(mesh, tips, ids, method, np);
+                   return i == 0
+                            ? CGAL::segmentation_from_protrusion_tips<Tag>(mesh, tips, ids)
+                            : CGAL::segmentation_from_protrusion_tips<Tag>(mesh, tips, ids, method, np);
                  });
 }
 
@@ -171,7 +173,8 @@ void check_refused_number(Number k, const std::string& message)
   CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Histogram_method()),
                     std::invalid_argument, message);
   CHECK_THROWS_WITH(CGAL::protrusion_hierarchy(mesh, k), std::invalid_argument, message);
-  CHECK_THROWS_WITH(CGAL::protrusion_hierarchy(mesh, k, Histogram_method()), std::invalid_argument, message);
+  CHECK_THROWS_WITH(CGAL::protrusion_hierarchy(mesh, k, Histogram_method()), std::invalid_argument,
+                    message);
   CHECK(is_untouched({0, ids.labels()}));
 }
 
@@ -181,15 +184,17 @@ void numbers_below_one_are_refused()
   check_refused_number(-1, "number_of_segments is -1");
   check_refused_number(-1l, "number_of_segments is -1");
   check_refused_number(static_cast<short>(-7), "number_of_segments is -7");
-  check_refused_number((std::numeric_limits<long long>::min)(), "number_of_segments is -9223372036854775808");
+  check_refused_number((std::numeric_limits<long long>::min)(),
+                       "number_of_segments is -9223372036854775808");
   check_refused_number(0, "number_of_segments is 0");
   check_refused_number(0u, "number_of_segments is 0");
   check_refused_number(std::size_t(0), "number_of_segments is 0");
   std::vector<Face_descriptor> tips;
-  CHECK_THROWS_WITH(CGAL::protrusion_tips(star_mesh(), -3, std::back_inserter(tips)), std::invalid_argument,
-                    "number_of_tips is -3");
-  CHECK_THROWS_WITH(CGAL::protrusion_tips(star_mesh(), -3l, std::back_inserter(tips), Geodesic_distance()),
+  CHECK_THROWS_WITH(CGAL::protrusion_tips(star_mesh(), -3, std::back_inserter(tips)),
                     std::invalid_argument, "number_of_tips is -3");
+  CHECK_THROWS_WITH(
+    CGAL::protrusion_tips(star_mesh(), -3l, std::back_inserter(tips), Geodesic_distance()),
+    std::invalid_argument, "number_of_tips is -3");
   CGAL::protrusion_tips(star_mesh(), 0, std::back_inserter(tips));
   CHECK(tips.empty());
 }

@@ -4,6 +4,7 @@
 //
 // What a visitor is told, and how it stops the method.
 
+#include "recorder.h"
 #include "segmentations.h"
 #include "star_mesh.h"
 
@@ -11,64 +12,13 @@ using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 namespace parameters = CGAL::parameters;
 
-struct Recorder : Segmentation_visitor<Mesh>
-{
-  void begin(const std::string& stage)
-  {
-    open.push_back(stage);
-    ++stages[stage];
-  }
-  void end(const std::string& stage)
-  {
-    CHECK(!open.empty() && open.back() == stage);
-    open.pop_back();
-  }
-  void on_reading_begin() override { begin("reading"); }
-  void on_reading_end() override { end("reading"); }
-  void on_preparation_begin() override { begin("preparation"); }
-  void on_preparation_end() override { end("preparation"); }
-  void on_tips_begin() override { begin("tips"); }
-  void on_tips_end() override { end("tips"); }
-  void on_borders_begin() override { begin("borders"); }
-  void on_borders_end() override { end("borders"); }
-  void on_labels_begin() override { begin("labels"); }
-  void on_labels_end() override { end("labels"); }
-  void on_progress(double share) override
-  {
-    CHECK(share >= 0 && share <= 1);
-    shares.push_back(share);
-  }
-  bool go_further() override { return ++questions != stop_at; }
-  void on_tip(face_descriptor face) override { tips.insert(face); }
-  void on_protrusion(const Protrusion<face_descriptor>& protrusion) override
-  {
-    protrusions.push_back(protrusion);
-  }
-  void on_distances(std::size_t number_of_runs) override { runs += number_of_runs; }
-
-  std::vector<std::string> open;
-  std::map<std::string, int> stages;
-  std::vector<double> shares;
-  std::size_t questions = 0, stop_at = 0, runs = 0;
-  std::set<face_descriptor> tips;
-  std::vector<Protrusion<face_descriptor>> protrusions;
-};
-
-// Also where stages, questions and progress come from nobody but the method itself.
-void check_stages_and_progress(const Recorder& recorder)
-{
-  CHECK(recorder.open.empty());
-  for (const char* stage : {"reading", "preparation", "tips", "borders", "labels"})
-    CHECK_EQUAL(stage + std::string(recorder.stages.count(stage) > 0 ? "" : " is missing"), stage);
-  CHECK(std::is_sorted(recorder.shares.begin(), recorder.shares.end()));
-  CHECK_EQUAL(recorder.shares.back(), 1);
-}
+using Mesh_recorder = Recorder<Mesh>;
 
 void a_visitor_is_told_what_is_found()
 {
   const double factor = 3; // lengths and areas are in the unit of the mesh
   const Test_mesh soup = scaled(star_soup(), factor);
-  Recorder recorder;
+  Mesh_recorder recorder;
   const Segmentation found = paper_segmentation(to_graph<Mesh>(soup), 5,
                                                 parameters::visitor(std::ref(recorder)));
 
@@ -102,7 +52,7 @@ void a_visitor_is_told_what_is_found()
 
 void visitors_are_copied_unless_passed_by_reference()
 {
-  Recorder recorder;
+  Mesh_recorder recorder;
   paper_segmentation(star_mesh(), 2, parameters::visitor(recorder));
   CHECK(recorder.stages.empty());
   paper_segmentation(star_mesh(), 2, parameters::visitor(std::ref(recorder)));
@@ -113,7 +63,7 @@ void visitors_are_copied_unless_passed_by_reference()
 template <typename Method>
 void a_visitor_stops_the_method_at_every_question(const Method& method)
 {
-  Recorder all;
+  Mesh_recorder all;
   Segment_ids<Mesh> ids(star_mesh());
   CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), 5, method,
                                          parameters::visitor(std::ref(all)));
@@ -122,15 +72,14 @@ void a_visitor_stops_the_method_at_every_question(const Method& method)
   const std::size_t step = 1 + all.questions / 100;
   for (std::size_t question = 1; question <= all.questions; question += step)
   {
-    Recorder recorder;
+    Mesh_recorder recorder;
     recorder.stop_at = question;
     std::map<Mesh::Edge_index, bool> is_border;
     const auto np = parameters::visitor(std::ref(recorder))
                       .edge_is_constrained_map(boost::make_assoc_property_map(is_border));
-    const Segmentation found =
-      checked(star_mesh(),
-              [&](auto map)
-              { return CGAL::segmentation_via_protrusion_tips(star_mesh(), map, 5, method, np); });
+    const Segmentation found = checked(
+      star_mesh(),
+      [&](auto map) { return CGAL::segmentation_via_protrusion_tips(star_mesh(), map, 5, method, np); });
     CHECK_EQUAL(found.number, 0); // and `checked()` sees that nothing was written
     CHECK(is_border.empty());
     CHECK_EQUAL(recorder.questions, question);
@@ -140,24 +89,24 @@ void a_visitor_stops_the_method_at_every_question(const Method& method)
 
 void a_visitor_stops_the_other_functions()
 {
-  Recorder recorder;
+  Mesh_recorder recorder;
   recorder.stop_at = 3;
   CHECK_EQUAL(CGAL::protrusion_hierarchy(star_mesh(), 5, parameters::visitor(std::ref(recorder)))
                 .maximum_number_of_segments(),
               0);
   recorder.questions = 0;
   std::vector<Mesh::Face_index> tips;
-  CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips), parameters::visitor(std::ref(recorder)));
+  CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips),
+                        parameters::visitor(std::ref(recorder)));
   CHECK(tips.empty());
   CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips));
   recorder.questions = 0;
-  const Segmentation found =
-    checked(star_mesh(),
-            [&](auto ids)
-            {
-              return CGAL::segmentation_from_protrusion_tips(star_mesh(), tips, ids,
-                                                             parameters::visitor(std::ref(recorder)));
-            });
+  const Segmentation found = checked(star_mesh(),
+                                     [&](auto ids)
+                                     {
+                                       return CGAL::segmentation_from_protrusion_tips(
+                                         star_mesh(), tips, ids, parameters::visitor(std::ref(recorder)));
+                                     });
   CHECK_EQUAL(found.number, 0);
 }
 
