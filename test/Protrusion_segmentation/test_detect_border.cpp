@@ -40,10 +40,7 @@ void a_step_is_one_inflection_at_its_foot()
 void the_most_prominent_inflection_comes_first()
 {
   const std::vector<Inflection> inflections = inflection_points(
-    diameters([](std::size_t slot) { return slot < 30   ? 1.
-                                            : slot < 50 ? 1.5
-                                            : slot < 70 ? 6.
-                                                        : 7.; }));
+    diameters([](std::size_t slot) { return slot < 30 ? 1. : slot < 50 ? 1.5 : slot < 70 ? 6. : 7.; }));
   CHECK_EQUAL(inflections.size(), 3);
   CHECK_CLOSE(inflections.at(0).prominence, std::log(4.), 1e-12);
   CHECK_CLOSE(inflections.at(1).prominence, std::log(1.5), 1e-12);
@@ -116,9 +113,7 @@ constexpr Border_conditions usual = {0.3, true, false};
 void a_border_lies_in_a_candidate_interval()
 {
   const Diameters two_steps = diameters([](std::size_t slot)
-                                        { return slot < 30   ? 1.
-                                                 : slot < 70 ? 2.
-                                                             : 8.; });
+                                        { return slot < 30 ? 1. : slot < 70 ? 2. : 8.; });
   const auto slot_of_border = [&](std::size_t slot_of_change, const Border_conditions& conditions)
   {
     const auto border = border_of_tip({tip_record(two_steps, slot_of_change)}, 0, conditions);

@@ -123,13 +123,13 @@ void check_threads(const Segmentation_method& segmentation_method)
   for (const std::size_t threads : {1, 2, 8})
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    const Segmentation found =
-      checked(mesh,
-              [&](auto ids)
-              {
-                return CGAL::segmentation_via_protrusion_tips<CGAL::Parallel_tag>(mesh, ids, 6,
-                                                                                  segmentation_method);
-              });
+    const Segmentation found = checked(
+      mesh,
+      [&](auto ids)
+      {
+        return CGAL::segmentation_via_protrusion_tips<CGAL::Parallel_tag>(mesh, ids, 6,
+                                                                          segmentation_method);
+      });
     CHECK(found.labels == expected);
   }
 #else

@@ -159,7 +159,8 @@ void sparse_eigenpairs_are_those_of_a_dense_solver()
     const internal::Eigenpairs dense = internal::dense_eigenpairs(walk, mesh.faces.size());
     for (std::size_t count : {1, 2, 5, 10})
     {
-      const internal::Eigenpairs sparse = internal::sparse_eigenpairs(walk, count, quiet_execution(), 1000);
+      const internal::Eigenpairs sparse = internal::sparse_eigenpairs(walk, count, quiet_execution(),
+                                                                      1000);
       CHECK_EQUAL(sparse.size(), internal::count_with_multiplicity(dense.values, count));
       CHECK(sparse.size() >= count);
       for (std::size_t k = 0; k < std::min(sparse.size(), dense.size()); ++k)
@@ -193,9 +194,9 @@ void scale_does_not_matter()
 {
   const Matrix expected = all_distances(to_surface(random_surface(6)), 8, 0.5);
   for (double factor : {1e-6, 3., 1e6})
-    CHECK_CLOSE(largest_difference(
-                  all_distances(to_surface(scaled(random_surface(6), factor)), 8, 0.5), expected),
-                0, 1e-7 * expected.maxCoeff());
+    CHECK_CLOSE(
+      largest_difference(all_distances(to_surface(scaled(random_surface(6), factor)), 8, 0.5), expected),
+      0, 1e-7 * expected.maxCoeff());
 }
 
 // The same shape with four times as many faces.
@@ -225,7 +226,7 @@ void components_are_apart()
   }
 }
 
-void tiny_parts_have_the_pairs_that_there_are()
+void tiny_surfaces_have_the_pairs_that_there_are()
 {
   const auto pairs = [](const Test_mesh& mesh)
   { return Diffusion_distance(10).on(to_surface(mesh), quiet_execution()).number_of_eigenpairs(); };
@@ -239,7 +240,8 @@ void tiny_parts_have_the_pairs_that_there_are()
 void failure_of_the_solver_is_reported()
 {
   const internal::Random_walk walk = internal::make_random_walk(to_surface(bumpy_sphere(4, 2)));
-  CHECK_THROWS_WITH(internal::sparse_eigenpairs(walk, 60, quiet_execution(), 1), std::runtime_error, "did not converge");
+  CHECK_THROWS_WITH(internal::sparse_eigenpairs(walk, 60, quiet_execution(), 1), std::runtime_error,
+                    "did not converge");
 }
 
 void impossible_options_are_refused()
@@ -259,7 +261,7 @@ int main()
   scale_does_not_matter();
   tessellation_hardly_matters();
   components_are_apart();
-  tiny_parts_have_the_pairs_that_there_are();
+  tiny_surfaces_have_the_pairs_that_there_are();
   failure_of_the_solver_is_reported();
   impossible_options_are_refused();
   check_is_a_metric(Diffusion_distance(), 1e-9);

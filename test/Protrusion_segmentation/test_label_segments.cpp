@@ -27,7 +27,9 @@ void components_of_labels()
 {
   // A 4 x 3 sheet, labels row by row.
   const Indexed_surface surface = to_surface(sheet(4, 3));
-  const Labels labels = {0, 0, 1, 0, 2, 1, 1, 0, 2, 2, 0, 0};
+  const Labels labels = {0, 0, 1, 0, //
+                         2, 1, 1, 0, //
+                         2, 2, 0, 0};
   const Label_components components = label_components(surface, labels);
   CHECK(components.component == (Labels{0, 0, 1, 2, 3, 1, 1, 2, 3, 3, 2, 2}));
   CHECK(components.label == (Labels{0, 1, 0, 2}));
@@ -37,7 +39,9 @@ void components_of_labels()
 void lengths_of_borders()
 {
   const Indexed_surface surface = to_surface(sheet(4, 3, 2, 1));
-  const Labels labels = {0, 0, 1, 0, 2, 1, 1, 0, 2, 2, 0, 0};
+  const Labels labels = {0, 0, 1, 0, //
+                         2, 1, 1, 0, //
+                         2, 2, 0, 0};
   CHECK_CLOSE(border_length(surface, labels, 2), 2 + 1 + 2 + 1, 1e-14); // the sheet's edge is no border
   CHECK_CLOSE(border_length(surface, labels, 1), 1 + 1 + 2 + 1 + 1 + 2 + 2, 1e-14);
   CHECK_EQUAL(border_length(surface, labels, 7), 0);
@@ -118,7 +122,7 @@ void both_segments_are_connected()
   }
 }
 
-void extracted_parts_are_the_surface_of_their_faces()
+void extracted_segments_are_the_surface_of_their_faces()
 {
   const Indexed_surface surface = to_surface(sheet(4, 3));
   Segment_extractor extract(surface);
@@ -208,7 +212,7 @@ int main()
   among_equal_rests_the_one_with_the_lowest_face_stays();
   other_segments_are_left_alone();
   both_segments_are_connected();
-  extracted_parts_are_the_surface_of_their_faces();
+  extracted_segments_are_the_surface_of_their_faces();
   only_faces_beside_other_faces_are_on_the_cut();
   extraction_keeps_the_order_that_is_asked_for();
   segments_begin_with_the_components();

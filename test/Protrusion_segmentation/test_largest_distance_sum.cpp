@@ -34,7 +34,8 @@ std::size_t runs_of_search(const Indexed_surface& surface)
 void check_same_face(const Indexed_surface& surface)
 {
   internal::Shortest_distances distances(surface);
-  const Index expected = internal::largest_distance_sum_of_all_pairs(surface, distances, quiet_execution());
+  const Index expected = internal::largest_distance_sum_of_all_pairs(surface, distances,
+                                                                     quiet_execution());
   CHECK_EQUAL(distances.number_of_runs(), surface.number_of_faces());
   CHECK_EQUAL(Geodesic_distance().on(surface, quiet_execution()).face_of_largest_sum(), expected);
 }
@@ -53,7 +54,8 @@ void all_pairs_take_the_lowest_of_the_largest_sums()
     sums.push_back(internal::distance_sum(row));
   auto distances = Geodesic_distance().on(surface, quiet_execution());
   const auto largest = std::max_element(sums.begin(), sums.end());
-  CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(surface, distances, quiet_execution()), largest - sums.begin());
+  CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(surface, distances, quiet_execution()),
+              largest - sums.begin());
 
   // Exact sums: both ends of a strip of unit squares tie.
   const Indexed_surface strip = to_surface(sheet(16, 1));

@@ -75,8 +75,11 @@ void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
 {
   const Weighted_dual_graph graph = weighted_dual_graph(to_surface(mesh));
   Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
-  Nodes order = partition.nodes_by_distance(
-    Nodes(1, tip % graph.number_of_nodes()), [](Index) { return true; }, graph.seam_lengths()).nodes;
+  Nodes order = partition
+                  .nodes_by_distance(
+                    Nodes(1, tip % graph.number_of_nodes()), [](Index) { return true; },
+                    graph.seam_lengths())
+                  .nodes;
   CHECK_EQUAL(order.size(), graph.number_of_nodes());
   internal::Level_set_sweep sweep(partition);
   for (const bool descending : {false, true})
@@ -99,8 +102,10 @@ void minimum_cuts_are_minimal(unsigned int seed)
   const Weighted_dual_graph graph = weighted_dual_graph(to_surface(random_surface(seed)));
   const Index n = graph.number_of_nodes();
   Graph_partition partition(graph, std::vector<Index>(n, 0));
-  const Nodes order = partition.nodes_by_distance(
-    Nodes(1, 0), [](Index) { return true; }, graph.lengths()).nodes;
+  const Nodes order = partition
+                        .nodes_by_distance(
+                          Nodes(1, 0), [](Index) { return true; }, graph.lengths())
+                        .nodes;
   const Index half = n / 2;
   if (half < 6 || half + 6 > n)
     return;

@@ -91,12 +91,9 @@ void tips_of_a_user_are_cut_off()
   std::vector<Mesh::Face_index> tips;
   CGAL::protrusion_tips(mesh, 5, std::back_inserter(tips), PS::Geodesic_distance());
   tips.resize(3);
-  const Segmentation found = checked(mesh,
-                                     [&](auto ids)
-                                     {
-                                       return CGAL::segmentation_from_protrusion_tips(
-                                         mesh, tips, ids, PS::Minimum_cut_method());
-                                     });
+  const Segmentation found = checked(
+    mesh, [&](auto ids)
+    { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, PS::Minimum_cut_method()); });
   CHECK_EQUAL(found.number, 4);
   std::set<std::size_t> segments;
   for (const auto tip : tips)
@@ -113,7 +110,8 @@ void other_distances_serve_the_search()
                                      [&](auto ids)
                                      {
                                        return CGAL::segmentation_via_protrusion_tips(
-                                         mesh, ids, 5, PS::Minimum_cut_method(PS::Landmark_geodesic_distance(0.05)));
+                                         mesh, ids, 5,
+                                         PS::Minimum_cut_method(PS::Landmark_geodesic_distance(0.05)));
                                      });
   CHECK_EQUAL(found.number, 5);
   CHECK(share_in_true_parts(soup, found.labels) > 0.85);

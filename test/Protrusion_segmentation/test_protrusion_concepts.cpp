@@ -92,8 +92,7 @@ int main()
                                      [&](auto ids)
                                      {
                                        return CGAL::segmentation_via_protrusion_tips(
-                                         mesh, ids, 4, method,
-                                         CGAL::parameters::visitor(Visitor(calls)));
+                                         mesh, ids, 4, method, CGAL::parameters::visitor(Visitor(calls)));
                                      });
   CHECK_EQUAL(found.number, 4);
   CHECK(calls > 10);

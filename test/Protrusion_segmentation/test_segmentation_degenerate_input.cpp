@@ -29,8 +29,7 @@ void check_method(const Mesh& mesh, const std::vector<Mesh::Face_index>& tips, c
     if (k > 0 && k <= n)
     {
       const Segmentation found = checked(
-        mesh,
-        [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, method); });
+        mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, method); });
       CHECK(found.number >= 1);
     }
   const Segmentation found = checked(
@@ -38,8 +37,7 @@ void check_method(const Mesh& mesh, const std::vector<Mesh::Face_index>& tips, c
   CHECK_EQUAL(found.number > 0, n > 0);
 
   const Segmentation from_tips = checked(
-    mesh,
-    [&](auto ids) { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, method); });
+    mesh, [&](auto ids) { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, method); });
   CHECK_EQUAL(from_tips.number > 0, n > 0);
 }
 
@@ -143,9 +141,8 @@ void check_not_finite(const Number& bad)
   Segment_ids<Bad_mesh> ids(mesh);
   CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3), std::invalid_argument,
                     "vertex 20 has a coordinate that is not finite");
-  CHECK_THROWS_WITH(
-    CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3, Histogram_method()),
-    std::invalid_argument, "not finite");
+  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3, Histogram_method()),
+                    std::invalid_argument, "not finite");
   CHECK(is_untouched({0, ids.labels()}));
   std::vector<typename Bad_mesh::Face_index> tips;
   CHECK_THROWS_WITH(CGAL::protrusion_tips(mesh, 3, std::back_inserter(tips), Geodesic_distance()),

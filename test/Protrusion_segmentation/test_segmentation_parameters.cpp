@@ -15,12 +15,11 @@ namespace parameters = CGAL::parameters;
 
 // Automatic number of segments.
 template <typename FaceGraph>
-Segmentation evident_protrusions(const FaceGraph& mesh, const Histogram_method& method = Histogram_method())
+Segmentation evident_protrusions(const FaceGraph& mesh,
+                                 const Histogram_method& method = Histogram_method())
 {
   return checked(mesh,
-                 [&](auto ids) {
-                   return CGAL::segmentation_via_protrusion_tips(mesh, ids, method);
-                 });
+                 [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, method); });
 }
 
 Segmentation landmark_segmentation(
@@ -32,8 +31,8 @@ Segmentation landmark_segmentation(
   return checked(mesh,
                  [&](auto ids)
                  {
-                   return CGAL::segmentation_via_protrusion_tips(
-                     mesh, ids, k, Histogram_method(distance), parameters::random_seed(seed));
+                   return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, Histogram_method(distance),
+                                                                 parameters::random_seed(seed));
                  });
 }
 
@@ -129,9 +128,7 @@ void impossible_numbers_of_segments_are_refused()
   const Mesh mesh = to_graph<Mesh>(icosphere(1));
   Segment_ids<Mesh> ids(mesh);
   const auto segment = [&](std::size_t k)
-  {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Histogram_method());
-  };
+  { return CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Histogram_method()); };
   CHECK_THROWS_WITH(segment(0), std::invalid_argument, "number_of_segments is 0");
   CHECK_THROWS_WITH(segment(81), std::invalid_argument, "only 80 faces");
   CHECK(is_untouched({0, ids.labels()}));

@@ -27,7 +27,8 @@ Weighted_dual_graph weighted_dual_graph(const Indexed_surface& surface)
 void smoothed_normals_of_a_sphere_point_outward()
 {
   const Indexed_surface surface = to_surface(jittered(icosphere(4), 0.005, 1));
-  const auto normals = internal::smooth_normals(surface, 0.03 * std::sqrt(surface.area()), quiet_execution());
+  const auto normals = internal::smooth_normals(surface, 0.03 * std::sqrt(surface.area()),
+                                                quiet_execution());
   for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
     const Indexed_surface::Vector_3 radius = surface.centroid(f) - Indexed_surface::Point_3(0, 0, 0);

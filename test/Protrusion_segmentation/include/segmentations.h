@@ -86,8 +86,7 @@ Segmentation paper_segmentation(const FaceGraph& mesh, std::size_t k, const Name
 {
   using namespace CGAL::Protrusion_segmentation;
   return checked(mesh,
-                 [&](auto ids)
-                 {
+                 [&](auto ids) {
                    return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, Histogram_method(), np);
                  });
 }

@@ -16,7 +16,8 @@ std::size_t segment(const Mesh& mesh, Segment_map ids, const std::vector<Mesh::F
 {
   std::vector<Mesh::Face_index> found;
   CGAL::protrusion_tips(mesh, 5, std::back_inserter(found), Landmark_geodesic_distance());
-  return CGAL::segmentation_via_protrusion_tips(mesh, ids, 5, Histogram_method(Landmark_geodesic_distance()),
+  return CGAL::segmentation_via_protrusion_tips(mesh, ids, 5,
+                                                Histogram_method(Landmark_geodesic_distance()),
                                                 CGAL::parameters::visitor(Visitor())) +
          CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, Minimum_cut_method()) +
          CGAL::protrusion_hierarchy(mesh, 5, Minimum_cut_method()).maximum_number_of_segments();
