@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Borders (Section III.D.3) in sequences of diameters made up for the purpose.
@@ -14,7 +16,7 @@ template <typename Diameter>
 Diameters diameters(Diameter diameter_of_slot)
 {
   Diameters result;
-  for(std::size_t slot = 0; slot < number_of_slots; ++slot)
+  for (std::size_t slot = 0; slot < number_of_slots; ++slot)
     result[slot] = diameter_of_slot(slot);
   return result;
 }
@@ -26,7 +28,7 @@ Diameters step(std::size_t slot_of_step, double factor)
 
 void a_step_is_one_inflection_at_its_foot()
 {
-  for(const std::size_t slot : {20, 50, 90})
+  for (const std::size_t slot : {20, 50, 90})
   {
     const std::vector<Inflection> inflections = inflection_points(step(slot, 4));
     CHECK_EQUAL(inflections.size(), 1);
@@ -37,10 +39,8 @@ void a_step_is_one_inflection_at_its_foot()
 
 void the_most_prominent_inflection_comes_first()
 {
-  const std::vector<Inflection> inflections = inflection_points(diameters([](std::size_t slot)
-  {
-    return slot < 30 ? 1. : slot < 50 ? 1.5 : slot < 70 ? 6. : 7.;
-  }));
+  const std::vector<Inflection> inflections = inflection_points(
+    diameters([](std::size_t slot) { return slot < 30 ? 1. : slot < 50 ? 1.5 : slot < 70 ? 6. : 7.; }));
   CHECK_EQUAL(inflections.size(), 3);
   CHECK_CLOSE(inflections.at(0).prominence, std::log(4.), 1e-12);
   CHECK_CLOSE(inflections.at(1).prominence, std::log(1.5), 1e-12);
@@ -53,7 +53,7 @@ void the_most_prominent_inflection_comes_first()
 // The ratio matters, not the difference: a small body has borders as clear as a large one.
 void prominence_does_not_depend_on_the_size()
 {
-  for(const double size : {1e-200, 1e-3, 1e5, 1e200})
+  for (const double size : {1e-200, 1e-3, 1e5, 1e200})
   {
     const std::vector<Inflection> inflections = inflection_points(
       diameters([=](std::size_t slot) { return slot < 40 ? size : 3 * size; }));
@@ -81,19 +81,19 @@ void the_cap_of_a_protrusion_is_no_inflection()
 void missing_sections_are_no_trouble()
 {
   CHECK(inflection_points(diameters([](std::size_t s) { return s < 60 ? 0. : 1.; })).size() <= 1);
-  for(const Inflection& inflection :
-      inflection_points(diameters([](std::size_t s) { return s % 7 == 0 ? 0. : 1.; })))
+  for (const Inflection& inflection :
+       inflection_points(diameters([](std::size_t s) { return s % 7 == 0 ? 0. : 1.; })))
     CHECK(std::isfinite(inflection.prominence) && inflection.slot < number_of_slots);
-  for(const std::size_t slot : {0, 1, 11, 12, 13, 94, 95, 98, 99})
+  for (const std::size_t slot : {0, 1, 11, 12, 13, 94, 95, 98, 99})
     CHECK(inflection_points(step(slot, 2)).size() <= 1);
 }
 
 void intervals_contain_their_ends()
 {
   const std::vector<Slot_interval> intervals = {{23, 68}, {71, 80}};
-  for(const std::size_t slot : {23, 40, 68, 71, 80})
+  for (const std::size_t slot : {23, 40, 68, 71, 80})
     CHECK(contains(intervals, slot));
-  for(const std::size_t slot : {0, 22, 69, 70, 81, 99})
+  for (const std::size_t slot : {0, 22, 69, 70, 81, 99})
     CHECK(!contains(intervals, slot));
   CHECK(!contains({}, 5));
 }
@@ -103,7 +103,7 @@ Tip_record tip_record(const Diameters& diameters_of_tip, std::size_t slot_of_cha
 {
   Tip_record record = {0, true, {}, diameters_of_tip, {}};
   record.histogram.range = 100;
-  for(std::size_t slot = 0; slot < number_of_slots; ++slot)
+  for (std::size_t slot = 0; slot < number_of_slots; ++slot)
     record.histogram.counts[slot] = slot < slot_of_change ? 10 : 30;
   return record;
 }
@@ -113,9 +113,7 @@ constexpr Border_conditions usual = {0.3, true, false};
 void a_border_lies_in_a_candidate_interval()
 {
   const Diameters two_steps = diameters([](std::size_t slot)
-  {
-    return slot < 30 ? 1. : slot < 70 ? 2. : 8.;
-  });
+                                        { return slot < 30 ? 1. : slot < 70 ? 2. : 8.; });
   const auto slot_of_border = [&](std::size_t slot_of_change, const Border_conditions& conditions)
   {
     const auto border = border_of_tip({tip_record(two_steps, slot_of_change)}, 0, conditions);
@@ -137,7 +135,7 @@ void a_border_is_prominent_enough()
 void a_border_does_not_lie_beyond_another_tip()
 {
   Tip_records records = {tip_record(step(50, 4), 50), tip_record(step(50, 4), 50)};
-  for(const double distance : {40., 60.})
+  for (const double distance : {40., 60.})
   {
     records[1].to_earlier_tips = {distance};
     CHECK_EQUAL(border_of_tip(records, 0, usual).has_value(), distance > 50);

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The distance histogram and its candidate intervals (Section III.D.1).
@@ -18,18 +20,18 @@ Distance_histogram histogram_with_counts(Count count)
 {
   Distance_histogram histogram;
   histogram.range = 1;
-  for(std::size_t slot = 0; slot < number_of_slots; ++slot)
+  for (std::size_t slot = 0; slot < number_of_slots; ++slot)
     histogram.counts[slot] = count(slot);
   return histogram;
 }
 
 void slots_hold_the_faces_at_their_distances()
 {
-  for(std::uint_fast32_t seed = 0; seed < 50; ++seed)
+  for (std::uint_fast32_t seed = 0; seed < 50; ++seed)
   {
-    const Indexed_surface part = to_surface_part(random_surface(seed));
+    const Indexed_surface surface = to_surface(random_surface(seed));
     std::vector<double> distances;
-    Shortest_distances shortest(part);
+    Shortest_distances shortest(surface);
     shortest(Index(seed % 40), distances);
     const Slots slots(distances);
     const Distance_histogram& histogram = slots.histogram();
@@ -39,11 +41,11 @@ void slots_hold_the_faces_at_their_distances()
 
     std::size_t total = 0;
     const double rounding = 1e-12 * histogram.range;
-    for(std::size_t slot = 0; slot < number_of_slots; ++slot)
+    for (std::size_t slot = 0; slot < number_of_slots; ++slot)
     {
       CHECK_EQUAL(slots.faces(slot).size(), histogram.counts[slot]);
       CHECK(std::is_sorted(slots.faces(slot).begin(), slots.faces(slot).end()));
-      for(const Index f : slots.faces(slot))
+      for (const Index f : slots.faces(slot))
       {
         CHECK(distances[f] >= histogram.slot_begin(slot) - rounding);
         CHECK(distances[f] < histogram.slot_begin(slot + 1) + (slot == 99 ? 1 : rounding));
@@ -59,14 +61,14 @@ void counts_on_a_cylinder_are_even()
 {
   const std::size_t slices = 12;
   const Test_mesh mesh = revolution(Profile(0.01).line(1e-3, 0, 1e-3, 4, 0), slices);
-  const Indexed_surface part = to_surface_part(mesh);
-  CHECK_EQUAL(part.number_of_faces(), 400 * slices);
+  const Indexed_surface surface = to_surface(mesh);
+  CHECK_EQUAL(surface.number_of_faces(), 400 * slices);
   std::vector<double> distances;
-  Shortest_distances shortest(part);
+  Shortest_distances shortest(surface);
   shortest(0, distances);
   const Distance_histogram histogram = Slots(distances).histogram();
   CHECK_CLOSE(histogram.range, 3.99, 0.01);
-  for(const Index count : histogram.counts)
+  for (const Index count : histogram.counts)
     CHECK_CLOSE(double(count), 4. * slices, 1. * slices);
 }
 
@@ -105,8 +107,8 @@ void a_narrow_bump_is_one_interval_and_a_wide_one_two()
 {
   const auto intervals_of_bump = [](std::size_t first, std::size_t end)
   {
-    return candidate_intervals(histogram_with_counts(
-      [=](std::size_t slot) { return slot >= first && slot < end ? 50u : 10u; }));
+    return candidate_intervals(
+      histogram_with_counts([=](std::size_t slot) { return slot >= first && slot < end ? 50u : 10u; }));
   };
   CHECK_EQUAL(intervals_of_bump(30, 45).size(), 1); // slots 22 to 37 and 37 to 52
   CHECK_EQUAL(intervals_of_bump(30, 46).size(), 1); // slots 22 to 37 and 38 to 53
@@ -128,7 +130,7 @@ void even_counts_have_no_candidate_interval()
 void moving_averages_shrink_at_the_ends()
 {
   std::array<double, number_of_slots> values;
-  for(std::size_t s = 0; s < number_of_slots; ++s)
+  for (std::size_t s = 0; s < number_of_slots; ++s)
     values[s] = double(s * s);
   const auto average = moving_average(values, 2);
   CHECK_CLOSE(average[0], (0 + 1 + 4) / 3., 1e-12);

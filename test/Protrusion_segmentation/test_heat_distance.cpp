@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The distance of the heat method against analytic distances.
@@ -14,15 +16,15 @@ using namespace CGAL::Protrusion_segmentation;
 // centroid. What remains is the error of the method itself.
 void distances_on_a_plane_are_euclidean()
 {
-  const Indexed_surface part = to_surface_part(triangulated(sheet(40, 40)));
-  auto distances = Heat_distance().on(part, 0);
+  const Indexed_surface surface = to_surface(triangulated(sheet(40, 40)));
+  auto distances = Heat_distance().on(surface, quiet_execution());
   std::vector<double> row;
-  for(Index source : {Index(0), Index(1640), Index(2000)})
+  for (Index source : {Index(0), Index(1640), Index(2000)})
   {
     distances(source, row);
-    for(Index f = 0; f < part.number_of_faces(); ++f)
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
     {
-      const double d = std::sqrt(squared_distance(part.centroid(source), part.centroid(f)));
+      const double d = std::sqrt(squared_distance(surface.centroid(source), surface.centroid(f)));
       CHECK_CLOSE(row[f], d, 0.06 * d + 1);
     }
   }
@@ -30,18 +32,18 @@ void distances_on_a_plane_are_euclidean()
 
 void distances_on_a_sphere_are_arcs()
 {
-  const Indexed_surface part = to_surface_part(icosphere(4));
-  auto distances = Heat_distance().on(part, 0);
+  const Indexed_surface surface = to_surface(icosphere(4));
+  auto distances = Heat_distance().on(surface, quiet_execution());
   std::vector<double> row;
   const auto direction = [&](Index f)
   {
-    const Indexed_surface::Vector_3 v = part.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
+    const Indexed_surface::Vector_3 v = surface.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
     return v / std::sqrt(v.squared_length());
   };
-  for(Index source : {Index(0), Index(1234)})
+  for (Index source : {Index(0), Index(1234)})
   {
     distances(source, row);
-    for(Index f = 0; f < part.number_of_faces(); ++f)
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
     {
       const double arc = std::acos(std::max(-1., std::min(1., direction(source) * direction(f))));
       CHECK_CLOSE(row[f], arc, 0.03 * arc + 0.06);
@@ -52,14 +54,14 @@ void distances_on_a_sphere_are_arcs()
 // The side of a cylinder is a rolled up rectangle.
 void distances_on_a_cylinder_are_those_of_its_net()
 {
-  const Indexed_surface part = to_surface_part(open_cylinder(1, 4, 0.1));
-  auto distances = Heat_distance().on(part, 0);
+  const Indexed_surface surface = to_surface(open_cylinder(1, 4, 0.1));
+  auto distances = Heat_distance().on(surface, quiet_execution());
   std::vector<double> row;
-  const Indexed_surface::Point_3 source = part.centroid(0);
+  const Indexed_surface::Point_3 source = surface.centroid(0);
   distances(0, row);
-  for(Index f = 0; f < part.number_of_faces(); ++f)
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
-    const Indexed_surface::Point_3 p = part.centroid(f);
+    const Indexed_surface::Point_3 p = surface.centroid(f);
     const double turn = std::abs(std::atan2(p.y(), p.x()) - std::atan2(source.y(), source.x()));
     const double d = std::hypot(std::min(turn, 2 * pi - turn), p.z() - source.z());
     CHECK_CLOSE(row[f], d, 0.06 * d + 0.1);
@@ -70,10 +72,10 @@ void distances_on_a_cylinder_are_those_of_its_net()
 // the distances are those in the dual graph.
 void where_the_heat_does_not_reach_distances_are_those_of_the_dual_graph()
 {
-  const Indexed_surface part = to_surface_part(triangulated(sheet(1500, 1)));
+  const Indexed_surface surface = to_surface(triangulated(sheet(1500, 1)));
   std::vector<double> row, in_dual_graph;
-  Heat_distance().on(part, 0)(0, row);
-  Geodesic_distance().on(part, 0)(0, in_dual_graph);
+  Heat_distance().on(surface, quiet_execution())(0, row);
+  Geodesic_distance().on(surface, quiet_execution())(0, in_dual_graph);
   CHECK(row == in_dual_graph);
 }
 

@@ -1,12 +1,15 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Labels and refill (Section III.A, Fig. 2): cutting off protrusions keeps every segment connected;
-// segments become surfaces of their own; a forest of segments knows where each came from.
+// segments become surfaces of their own; nested segments know where each was cut from.
 
 #include "check.h"
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/cut_off_protrusion.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
@@ -23,11 +26,11 @@ std::size_t number_of_pieces(const Test_mesh& mesh, const Labels& labels)
 void components_of_labels()
 {
   // A 4 x 3 sheet, labels row by row.
-  const Indexed_surface part = to_surface_part(sheet(4, 3));
-  const Labels labels = {0, 0, 1, 0,
-                         2, 1, 1, 0,
+  const Indexed_surface surface = to_surface(sheet(4, 3));
+  const Labels labels = {0, 0, 1, 0, //
+                         2, 1, 1, 0, //
                          2, 2, 0, 0};
-  const Label_components components = label_components(part, labels);
+  const Label_components components = label_components(surface, labels);
   CHECK(components.component == (Labels{0, 0, 1, 2, 3, 1, 1, 2, 3, 3, 2, 2}));
   CHECK(components.label == (Labels{0, 1, 0, 2}));
   CHECK(components.area == (std::vector<double>{2, 3, 4, 3}));
@@ -35,22 +38,22 @@ void components_of_labels()
 
 void lengths_of_borders()
 {
-  const Indexed_surface part = to_surface_part(sheet(4, 3, 2, 1));
-  const Labels labels = {0, 0, 1, 0,
-                         2, 1, 1, 0,
+  const Indexed_surface surface = to_surface(sheet(4, 3, 2, 1));
+  const Labels labels = {0, 0, 1, 0, //
+                         2, 1, 1, 0, //
                          2, 2, 0, 0};
-  CHECK_CLOSE(border_length(part, labels, 2), 2 + 1 + 2 + 1, 1e-14); // the sheet's edge is no border
-  CHECK_CLOSE(border_length(part, labels, 1), 1 + 1 + 2 + 1 + 1 + 2 + 2, 1e-14);
-  CHECK_EQUAL(border_length(part, labels, 7), 0);
+  CHECK_CLOSE(border_length(surface, labels, 2), 2 + 1 + 2 + 1, 1e-14); // the sheet's edge is no border
+  CHECK_CLOSE(border_length(surface, labels, 1), 1 + 1 + 2 + 1 + 1 + 2 + 2, 1e-14);
+  CHECK_EQUAL(border_length(surface, labels, 7), 0);
 }
 
 // Of the faces that are near only those connected to the tip.
 void a_protrusion_is_the_piece_of_its_tip()
 {
-  const Indexed_surface part = to_surface_part(sheet(9, 1));
+  const Indexed_surface surface = to_surface(sheet(9, 1));
   Labels labels(9, 0);
-  const double area =
-    cut_off_protrusion(part, labels, 0, [](Index f) { return f < 3 || f > 6; }, 5);
+  const double area = cut_off_protrusion(
+    surface, labels, 0, [](Index f) { return f < 3 || f > 6; }, 5);
   CHECK(labels == (Labels{5, 5, 5, 0, 0, 0, 0, 0, 0}));
   CHECK_CLOSE(area, 3, 1e-14);
 }
@@ -58,29 +61,29 @@ void a_protrusion_is_the_piece_of_its_tip()
 // What is cut off from the largest rest goes with the protrusion.
 void islands_go_with_the_protrusion()
 {
-  const Indexed_surface part = to_surface_part(sheet(5, 3));
+  const Indexed_surface surface = to_surface(sheet(5, 3));
   Labels labels(15, 0);
   const auto is_ring = [](Index f) { return f == 1 || f == 6 || f == 11; }; // a column
-  const double area = cut_off_protrusion(part, labels, 6, is_ring, 1);
-  CHECK(labels == (Labels{1, 1, 0, 0, 0,
-                          1, 1, 0, 0, 0,
-                          1, 1, 0, 0, 0}));
+  const double area = cut_off_protrusion(surface, labels, 6, is_ring, 1);
+  CHECK(labels == (Labels{1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0}));
   CHECK_CLOSE(area, 6, 1e-14);
 }
 
 void among_equal_rests_the_one_with_the_lowest_face_stays()
 {
-  const Indexed_surface part = to_surface_part(sheet(5, 1));
+  const Indexed_surface surface = to_surface(sheet(5, 1));
   Labels labels(5, 3);
-  cut_off_protrusion(part, labels, 2, [](Index f) { return f == 2; }, 4);
+  cut_off_protrusion(
+    surface, labels, 2, [](Index f) { return f == 2; }, 4);
   CHECK(labels == (Labels{3, 3, 4, 4, 4}));
 }
 
 void other_segments_are_left_alone()
 {
-  const Indexed_surface part = to_surface_part(sheet(6, 1));
+  const Indexed_surface surface = to_surface(sheet(6, 1));
   Labels labels = {1, 0, 0, 0, 0, 2};
-  cut_off_protrusion(part, labels, 1, [](Index f) { return f <= 2 || f == 5; }, 3);
+  cut_off_protrusion(
+    surface, labels, 1, [](Index f) { return f <= 2 || f == 5; }, 3);
   CHECK(labels == (Labels{1, 3, 3, 0, 0, 2}));
 }
 
@@ -88,27 +91,27 @@ void other_segments_are_left_alone()
 void both_segments_are_connected()
 {
   Random random(5);
-  for(std::uint_fast32_t seed = 0; seed < 200; ++seed)
+  for (std::uint_fast32_t seed = 0; seed < 200; ++seed)
   {
     const Test_mesh mesh = random_surface(seed);
-    const Indexed_surface part = to_surface_part(mesh);
-    Labels labels(part.number_of_faces(), 0);
+    const Indexed_surface surface = to_surface(mesh);
+    Labels labels(surface.number_of_faces(), 0);
     std::size_t segments = 1;
-    for(Index id = 1; id < 5; ++id)
+    for (Index id = 1; id < 5; ++id)
     {
-      const Index tip = Index(random.index(part.number_of_faces()));
+      const Index tip = Index(random.index(surface.number_of_faces()));
       const double share = random.real(0, 0.6);
       std::vector<bool> is_near;
-      for(Index f = 0; f < part.number_of_faces(); ++f)
+      for (Index f = 0; f < surface.number_of_faces(); ++f)
         is_near.push_back(random.real(0, 1) < share || f == tip);
       const Labels before = labels;
-      const double area =
-        cut_off_protrusion(part, labels, tip, [&](Index f) { return bool(is_near[f]); }, id);
+      const double area = cut_off_protrusion(
+        surface, labels, tip, [&](Index f) { return bool(is_near[f]); }, id);
       double expected_area = 0;
-      for(Index f = 0; f < part.number_of_faces(); ++f)
+      for (Index f = 0; f < surface.number_of_faces(); ++f)
       {
         CHECK(labels[f] == before[f] || (labels[f] == id && before[f] == before[tip]));
-        expected_area += labels[f] == id ? part.area(f) : 0;
+        expected_area += labels[f] == id ? surface.area(f) : 0;
       }
       CHECK_CLOSE(area, expected_area, 1e-12);
       CHECK_EQUAL(labels[tip], id);
@@ -119,22 +122,22 @@ void both_segments_are_connected()
   }
 }
 
-void extracted_parts_are_the_surface_of_their_faces()
+void extracted_segments_are_the_surface_of_their_faces()
 {
-  const Indexed_surface surface = to_surface_part(sheet(4, 3));
+  const Indexed_surface surface = to_surface(sheet(4, 3));
   Segment_extractor extract(surface);
-  for(int repetition = 0; repetition < 2; ++repetition) // the work arrays are left clean
+  for (int repetition = 0; repetition < 2; ++repetition) // the work arrays are left clean
   {
     const Extracted_segment extracted = extract({1, 2, 5, 6, 7});
     CHECK(extracted.faces == (Labels{1, 2, 5, 6, 7}));
-    CHECK_EQUAL(extracted.part.number_of_faces(), 5);
-    CHECK_EQUAL(extracted.part.number_of_vertices(), 11);
-    CHECK_EQUAL(num_edges(extracted.part.dual_graph()), 2 * 5);
+    CHECK_EQUAL(extracted.surface.number_of_faces(), 5);
+    CHECK_EQUAL(extracted.surface.number_of_vertices(), 11);
+    CHECK_EQUAL(num_edges(extracted.surface.dual_graph()), 2 * 5);
     CHECK(extracted.is_on_cut == (std::vector<bool>{true, true, true, true, true}));
-    for(Index f = 0; f < 5; ++f)
+    for (Index f = 0; f < 5; ++f)
     {
-      CHECK(extracted.part.centroid(f) == surface.centroid(extracted.faces[f]));
-      CHECK_EQUAL(extracted.part.area(f), surface.area(extracted.faces[f]));
+      CHECK(extracted.surface.centroid(f) == surface.centroid(extracted.faces[f]));
+      CHECK_EQUAL(extracted.surface.area(f), surface.area(extracted.faces[f]));
     }
   }
 }
@@ -142,48 +145,62 @@ void extracted_parts_are_the_surface_of_their_faces()
 // The border of the surface is no cut.
 void only_faces_beside_other_faces_are_on_the_cut()
 {
-  const Indexed_surface surface = to_surface_part(sheet(5, 2));
+  const Indexed_surface surface = to_surface(sheet(5, 2));
   const Extracted_segment left = Segment_extractor(surface)({0, 1, 2, 5, 6, 7});
   CHECK(left.is_on_cut == (std::vector<bool>{false, false, true, false, false, true}));
   Labels all(10);
   std::iota(all.begin(), all.end(), Index(0));
   const Extracted_segment whole = Segment_extractor(surface)(all);
   CHECK(whole.is_on_cut == std::vector<bool>(10, false));
-  CHECK_EQUAL(num_edges(whole.part.dual_graph()), num_edges(surface.dual_graph()));
+  CHECK_EQUAL(num_edges(whole.surface.dual_graph()), num_edges(surface.dual_graph()));
 }
 
 void extraction_keeps_the_order_that_is_asked_for()
 {
-  const Indexed_surface surface = to_surface_part(bumpy_sphere(2, 3));
+  const Indexed_surface surface = to_surface(bumpy_sphere(2, 3));
   const Extracted_segment reversed = Segment_extractor(surface)({9, 3, 5});
   CHECK(reversed.faces == (Labels{9, 3, 5}));
-  CHECK(reversed.part.centroid(0) == surface.centroid(9));
-  CHECK(reversed.part.centroid(2) == surface.centroid(5));
+  CHECK(reversed.surface.centroid(0) == surface.centroid(9));
+  CHECK(reversed.surface.centroid(2) == surface.centroid(5));
 }
 
-void a_forest_begins_with_the_components()
+Labels parents_of(const Nested_segments& segments)
+{
+  Labels result;
+  for (std::size_t s = 0; s < segments.number_of_segments(); ++s)
+    result.push_back(segments.parent(s));
+  return result;
+}
+
+void segments_begin_with_the_components()
 {
   const Test_mesh one = icosphere(1);
-  const Nested_segments forest(
-    to_surface_part(merged({one, translated(one, {3, 0, 0}), translated(one, {6, 0, 0})})));
-  CHECK_EQUAL(forest.number_of_segments(), 3);
-  CHECK_EQUAL(forest.number_of_components, 3);
-  CHECK(forest.parents == (Labels{0, 1, 2}));
-  for(std::size_t f = 0; f < forest.labels.size(); ++f)
-    CHECK_EQUAL(forest.labels[f], f / one.faces.size());
-  CHECK_EQUAL(forest.faces_of(1).size(), one.faces.size());
-  CHECK_EQUAL(forest.faces_of(1).front(), one.faces.size());
+  const Nested_segments segments(
+    to_surface(merged({one, translated(one, {3, 0, 0}), translated(one, {6, 0, 0})})));
+  CHECK_EQUAL(segments.number_of_segments(), 3);
+  CHECK_EQUAL(segments.number_of_components(), 3);
+  CHECK(parents_of(segments) == (Labels{0, 1, 2}));
+  for (std::size_t f = 0; f < segments.labels().size(); ++f)
+    CHECK_EQUAL(segments.labels()[f], f / one.faces.size());
+  CHECK_EQUAL(segments.faces(1).size(), one.faces.size());
+  CHECK_EQUAL(segments.faces(1).front(), one.faces.size());
   CHECK_EQUAL(Nested_segments(Indexed_surface()).number_of_segments(), 0);
 }
 
-void a_forest_numbers_its_segments_on()
+void what_is_cut_off_gets_the_next_number()
 {
-  Nested_segments forest(to_surface_part(sheet(3, 1)));
-  CHECK_EQUAL(forest.add_segment(0), 1);
-  CHECK_EQUAL(forest.add_segment(1), 2);
-  CHECK(forest.parents == (Labels{0, 0, 1}));
-  CHECK_EQUAL(forest.number_of_segments(), 3);
-  CHECK_EQUAL(forest.number_of_components, 1);
+  const Indexed_surface surface = to_surface(sheet(5, 1));
+  Nested_segments segments(surface);
+  CHECK_EQUAL(segments.cut_off(0, [](Index f) { return f > 1; }), 1);
+  CHECK_EQUAL(segments.cut_off(1, [](Index f) { return f == 2; }), 2);
+  CHECK(parents_of(segments) == (Labels{0, 0, 1}));
+  CHECK(segments.labels() == (Labels{0, 0, 2, 1, 1}));
+  CHECK(segments.faces(0) == (Labels{0, 1}));
+  CHECK(segments.faces(1) == (Labels{3, 4}));
+  CHECK(segments.faces(2) == (Labels{2}));
+  CHECK_EQUAL(segments.area(surface, 1), 2);
+  CHECK_EQUAL(segments.number_of_segments(), 3);
+  CHECK_EQUAL(segments.number_of_components(), 1);
 }
 
 int main()
@@ -195,10 +212,10 @@ int main()
   among_equal_rests_the_one_with_the_lowest_face_stays();
   other_segments_are_left_alone();
   both_segments_are_connected();
-  extracted_parts_are_the_surface_of_their_faces();
+  extracted_segments_are_the_surface_of_their_faces();
   only_faces_beside_other_faces_are_on_the_cut();
   extraction_keeps_the_order_that_is_asked_for();
-  a_forest_begins_with_the_components();
-  a_forest_numbers_its_segments_on();
+  segments_begin_with_the_components();
+  what_is_cut_off_gets_the_next_number();
   return check::result();
 }

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The landmark-based geodesic distance (Section III.B.3) is what its documentation defines.
@@ -17,14 +19,14 @@ using Matrix = std::vector<std::vector<double>>;
 Matrix landmark_distances(const Matrix& geodesic, const std::vector<Index>& landmarks)
 {
   Matrix result;
-  for(std::size_t i = 0; i < geodesic.size(); ++i)
+  for (std::size_t i = 0; i < geodesic.size(); ++i)
   {
     Index nearest = landmarks.front();
-    for(const Index l : landmarks)
-      if(geodesic[l][i] < geodesic[nearest][i])
+    for (const Index l : landmarks)
+      if (geodesic[l][i] < geodesic[nearest][i])
         nearest = l;
     result.push_back(geodesic[nearest]);
-    for(double& d : result.back())
+    for (double& d : result.back())
       d += geodesic[nearest][i];
     result.back()[i] = 0;
   }
@@ -36,22 +38,23 @@ double sum(const std::vector<double>& values)
   return std::accumulate(values.begin(), values.end(), 0.);
 }
 
-void check_definition(const Indexed_surface& part, std::size_t number_of_landmarks, unsigned int seed)
+void check_definition(const Indexed_surface& surface, std::size_t number_of_landmarks, unsigned int seed)
 {
-  const std::vector<Index> landmarks =
-    internal::select_landmarks(part.number_of_faces(), number_of_landmarks, seed);
-  const Matrix expected = landmark_distances(all_pairs_distances(part), landmarks);
+  const std::vector<Index> landmarks = internal::select_landmarks(surface.number_of_faces(),
+                                                                  number_of_landmarks, seed);
+  const Matrix expected = landmark_distances(all_pairs_distances(surface), landmarks);
+  Execution execution(seed);
   auto distances =
-    Landmark_geodesic_distance::with_number_of_landmarks(number_of_landmarks).on(part, seed);
+    Landmark_geodesic_distance::with_number_of_landmarks(number_of_landmarks).on(surface, execution);
   CHECK_EQUAL(distances.number_of_runs(), landmarks.size());
 
   double largest = 0;
   std::vector<double> row;
-  for(Index i = 0; i < part.number_of_faces(); ++i)
+  for (Index i = 0; i < surface.number_of_faces(); ++i)
   {
     distances(i, row);
     double error = 0;
-    for(Index j = 0; j < part.number_of_faces(); ++j)
+    for (Index j = 0; j < surface.number_of_faces(); ++j)
       error = std::max(error, std::abs(row[j] - expected[i][j]));
     CHECK(error < 1e-12);
     largest = std::max(largest, sum(expected[i]));
@@ -61,32 +64,33 @@ void check_definition(const Indexed_surface& part, std::size_t number_of_landmar
 
 void distances_and_sums_follow_the_definition()
 {
-  for(unsigned int seed = 0; seed < 40; ++seed)
+  for (unsigned int seed = 0; seed < 40; ++seed)
   {
-    const Indexed_surface part = to_surface_part(random_surface(seed));
-    for(std::size_t number : {1, 3, 10, 1000})
-      check_definition(part, number, seed);
+    const Indexed_surface surface = to_surface(random_surface(seed));
+    for (std::size_t number : {1, 3, 10, 1000})
+      check_definition(surface, number, seed);
   }
-  check_definition(to_surface_part(single_triangle()), 1, 0);
-  check_definition(to_surface_part(tetrahedron()), 2, 0);
-  check_definition(to_surface_part(thin_strip(1)), 1, 5);
+  check_definition(to_surface(single_triangle()), 1, 0);
+  check_definition(to_surface(tetrahedron()), 2, 0);
+  check_definition(to_surface(thin_strip(1)), 1, 5);
 }
 
 // With every face a landmark the distances are the geodesic ones.
 void all_faces_as_landmarks_give_the_geodesic_distance()
 {
-  const Indexed_surface part = to_surface_part(random_surface(8));
-  const Matrix geodesic = all_pairs_distances(part);
-  auto distances = Landmark_geodesic_distance(1).on(part, 3);
+  const Indexed_surface surface = to_surface(random_surface(8));
+  const Matrix geodesic = all_pairs_distances(surface);
+  Execution execution(3);
+  auto distances = Landmark_geodesic_distance(1).on(surface, execution);
   std::vector<double> row;
   distances(7, row);
-  for(Index j = 0; j < part.number_of_faces(); ++j)
+  for (Index j = 0; j < surface.number_of_faces(); ++j)
     CHECK_CLOSE(row[j], geodesic[7][j], 1e-12);
 }
 
 void landmarks_are_different_faces_and_follow_the_seed()
 {
-  for(unsigned int seed = 0; seed < 20; ++seed)
+  for (unsigned int seed = 0; seed < 20; ++seed)
   {
     const std::vector<Index> landmarks = internal::select_landmarks(1000, 50, seed);
     CHECK_EQUAL(landmarks.size(), 50);
@@ -109,28 +113,28 @@ void landmarks_are_the_same_everywhere()
 void landmarks_are_spread_evenly()
 {
   std::vector<int> drawn(20, 0);
-  for(unsigned int seed = 0; seed < 2000; ++seed)
-    for(const Index f : internal::select_landmarks(20, 5, seed))
+  for (unsigned int seed = 0; seed < 2000; ++seed)
+    for (const Index f : internal::select_landmarks(20, 5, seed))
       ++drawn[f];
-  for(const int n : drawn)
+  for (const int n : drawn)
     CHECK_CLOSE(n, 500, 100); // 5 standard deviations
 }
 
 void options_choose_the_number_of_landmarks()
 {
-  const Indexed_surface part = to_surface_part(icosphere(2)); // 320 faces
-  CHECK_EQUAL(Landmark_geodesic_distance().on(part, 0).number_of_runs(), 16);
-  CHECK_EQUAL(Landmark_geodesic_distance(0.1).on(part, 0).number_of_runs(), 32);
-  CHECK_EQUAL(Landmark_geodesic_distance(1).on(part, 0).number_of_runs(), 320);
-  CHECK_EQUAL(Landmark_geodesic_distance(1e-9).on(part, 0).number_of_runs(), 1);
+  const Indexed_surface surface = to_surface(icosphere(2)); // 320 faces
+  CHECK_EQUAL(Landmark_geodesic_distance().on(surface, quiet_execution()).number_of_runs(), 16);
+  CHECK_EQUAL(Landmark_geodesic_distance(0.1).on(surface, quiet_execution()).number_of_runs(), 32);
+  CHECK_EQUAL(Landmark_geodesic_distance(1).on(surface, quiet_execution()).number_of_runs(), 320);
+  CHECK_EQUAL(Landmark_geodesic_distance(1e-9).on(surface, quiet_execution()).number_of_runs(), 1);
   const auto with_number = Landmark_geodesic_distance::with_number_of_landmarks;
-  CHECK_EQUAL(with_number(1).on(part, 0).number_of_runs(), 1);
-  CHECK_EQUAL(with_number(1000).on(part, 0).number_of_runs(), 320);
+  CHECK_EQUAL(with_number(1).on(surface, quiet_execution()).number_of_runs(), 1);
+  CHECK_EQUAL(with_number(1000).on(surface, quiet_execution()).number_of_runs(), 320);
 }
 
 void impossible_options_are_refused()
 {
-  for(double fraction : {0., -0.1, 1.5, infinity, std::nan("")})
+  for (double fraction : {0., -0.1, 1.5, infinity, std::nan("")})
     CHECK_THROWS_WITH(Landmark_geodesic_distance(fraction), std::invalid_argument, "fraction");
   CHECK_THROWS_WITH(Landmark_geodesic_distance::with_number_of_landmarks(0), std::invalid_argument,
                     "number of landmarks");

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The pruned search for the face of eq. (1) finds the face that all pairs find, ties included, for
@@ -10,7 +12,8 @@
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/segment_mesh.h>
+#include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
@@ -21,46 +24,48 @@
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 
-std::size_t runs_of_search(const Indexed_surface& part)
+std::size_t runs_of_search(const Indexed_surface& surface)
 {
-  auto distances = Geodesic_distance().on(part, 0);
+  auto distances = Geodesic_distance().on(surface, quiet_execution());
   distances.face_of_largest_sum();
   return distances.number_of_runs();
 }
 
-void check_same_face(const Indexed_surface& part)
+void check_same_face(const Indexed_surface& surface)
 {
-  internal::Shortest_distances distances(part);
-  const Index expected = internal::largest_distance_sum_of_all_pairs(part, distances);
-  CHECK_EQUAL(distances.number_of_runs(), part.number_of_faces());
-  CHECK_EQUAL(Geodesic_distance().on(part, 0).face_of_largest_sum(), expected);
+  internal::Shortest_distances distances(surface);
+  const Index expected = internal::largest_distance_sum_of_all_pairs(surface, distances,
+                                                                     quiet_execution());
+  CHECK_EQUAL(distances.number_of_runs(), surface.number_of_faces());
+  CHECK_EQUAL(Geodesic_distance().on(surface, quiet_execution()).face_of_largest_sum(), expected);
 }
 
 void check_same_face(const Test_mesh& mesh)
 {
-  check_same_face(to_surface_part(mesh));
+  check_same_face(to_surface(mesh));
 }
 
 void all_pairs_take_the_lowest_of_the_largest_sums()
 {
-  const Indexed_surface part = to_surface_part(random_surface(3));
-  const auto d = all_pairs_distances(part);
+  const Indexed_surface surface = to_surface(random_surface(3));
+  const auto d = all_pairs_distances(surface);
   std::vector<double> sums;
-  for(const std::vector<double>& row : d)
+  for (const std::vector<double>& row : d)
     sums.push_back(internal::distance_sum(row));
-  auto distances = Geodesic_distance().on(part, 0);
+  auto distances = Geodesic_distance().on(surface, quiet_execution());
   const auto largest = std::max_element(sums.begin(), sums.end());
-  CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(part, distances), largest - sums.begin());
+  CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(surface, distances, quiet_execution()),
+              largest - sums.begin());
 
   // Exact sums: both ends of a strip of unit squares tie.
-  const Indexed_surface strip = to_surface_part(sheet(16, 1));
-  auto on_strip = Geodesic_distance().on(strip, 0);
-  CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(strip, on_strip), 0);
+  const Indexed_surface strip = to_surface(sheet(16, 1));
+  auto on_strip = Geodesic_distance().on(strip, quiet_execution());
+  CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(strip, on_strip, quiet_execution()), 0);
 }
 
 void same_face_as_all_pairs_on_random_surfaces()
 {
-  for(std::uint_fast32_t seed = 0; seed < 600; ++seed)
+  for (std::uint_fast32_t seed = 0; seed < 600; ++seed)
     check_same_face(random_surface(seed));
 }
 
@@ -68,14 +73,31 @@ void same_face_as_all_pairs_on_random_surfaces()
 void same_face_as_all_pairs_where_sums_tie()
 {
   std::uint_fast32_t seed = 0;
-  for(const Test_mesh& mesh :
-      {tetrahedron(), icosahedron(), dodecahedron(), football(), icosphere(1), icosphere(2), box(),
-       box(4, 4, 4), box(1, 1, 9), sheet(9, 9), sheet(16, 1), sheet(17, 1), torus(2, 0.5, 24, 8),
-       moebius_strip(), pierced_plate(2, 2), regular_prism(12), thin_strip(32), single_triangle(),
-       uv_sphere(), closed_cylinder(1, 2, 0.3), dumbbell(1, 1, 0.3, 3, 0.3), height_field(9, 5, 1)})
+  for (const Test_mesh& mesh : {tetrahedron(),
+                                icosahedron(),
+                                dodecahedron(),
+                                football(),
+                                icosphere(1),
+                                icosphere(2),
+                                box(),
+                                box(4, 4, 4),
+                                box(1, 1, 9),
+                                sheet(9, 9),
+                                sheet(16, 1),
+                                sheet(17, 1),
+                                torus(2, 0.5, 24, 8),
+                                moebius_strip(),
+                                pierced_plate(2, 2),
+                                regular_prism(12),
+                                thin_strip(32),
+                                single_triangle(),
+                                uv_sphere(),
+                                closed_cylinder(1, 2, 0.3),
+                                dumbbell(1, 1, 0.3, 3, 0.3),
+                                height_field(9, 5, 1)})
   {
     check_same_face(mesh);
-    for(int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i)
       check_same_face(with_face_order(mesh, random_permutation(mesh.faces.size(), ++seed)));
   }
 }
@@ -85,19 +107,20 @@ void faces_in_one_point_need_one_run()
 {
   const Test_mesh point = scaled(icosphere(3), 0);
   check_same_face(point);
-  CHECK_EQUAL(runs_of_search(to_surface_part(point)), 1);
+  CHECK_EQUAL(runs_of_search(to_surface(point)), 1);
 }
 
 // On a sphere with bumps all sums are alike.
 void the_number_of_visits_can_be_limited()
 {
-  const Indexed_surface part = to_surface_part(bumpy_sphere(3, 1));
+  const Indexed_surface surface = to_surface(bumpy_sphere(3, 1));
   Geodesic_distance distance;
   CHECK_EQUAL(distance.maximum_number_of_visits(2).maximum_number_of_visits(), 2);
-  auto distances = distance.on(part, 0);
-  CHECK(distances.face_of_largest_sum() < part.number_of_faces());
+  auto distances = distance.on(surface, quiet_execution());
+  CHECK(distances.face_of_largest_sum() < surface.number_of_faces());
   CHECK_EQUAL(distances.number_of_runs(), 2);
-  CHECK_THROWS_WITH(distance.maximum_number_of_visits(0), std::invalid_argument, "maximum_number_of_visits is 0");
+  CHECK_THROWS_WITH(distance.maximum_number_of_visits(0), std::invalid_argument,
+                    "maximum_number_of_visits is 0");
   CHECK_EQUAL(distance.maximum_number_of_visits(), 2);
 }
 
@@ -107,9 +130,9 @@ void few_runs_on_large_meshes()
 {
   const auto check_runs = [](const Test_mesh& mesh, std::size_t most)
   {
-    const Indexed_surface part = to_surface_part(mesh);
-    const std::size_t runs = runs_of_search(part);
-    std::cout << part.number_of_faces() << " faces: " << runs << " runs\n";
+    const Indexed_surface surface = to_surface(mesh);
+    const std::size_t runs = runs_of_search(surface);
+    std::cout << surface.number_of_faces() << " faces: " << runs << " runs\n";
     CHECK(runs <= most);
   };
   check_runs(bumpy_sphere(5, 1), 80);
@@ -124,19 +147,21 @@ void few_runs_on_large_meshes()
 void same_face_as_all_pairs_on_models(const std::filesystem::path& folder)
 {
   std::vector<std::pair<std::uintmax_t, std::filesystem::path>> files;
-  for(const auto& entry : std::filesystem::directory_iterator(folder / "off"))
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "off"))
     files.emplace_back(entry.file_size(), entry.path());
   std::sort(files.begin(), files.end());
   CHECK(files.size() >= 10);
   files.resize(std::min<std::size_t>(files.size(), 10));
-  for(const auto& [size, file] : files)
+  for (const auto& [size, file] : files)
   {
     CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
     CHECK(CGAL::IO::read_polygon_mesh(file.string(), mesh));
-    const internal::Canonical_surface surface(mesh, CGAL::parameters::default_values());
+    internal::Arrays_of_mesh input = internal::read_surface(mesh, CGAL::parameters::default_values());
+    const internal::Canonical_surface canonical(std::move(input.surface), input.unit);
+    const Indexed_surface& surface = canonical.surface();
     std::cout << file.filename().string() << ", ";
-    std::cout << surface.part.number_of_faces() << " faces: " << runs_of_search(surface.part) << " runs\n";
-    check_same_face(surface.part);
+    std::cout << surface.number_of_faces() << " faces: " << runs_of_search(surface) << " runs\n";
+    check_same_face(surface);
   }
 }
 
@@ -148,7 +173,7 @@ int main()
   faces_in_one_point_need_one_run();
   the_number_of_visits_can_be_limited();
   few_runs_on_large_meshes();
-  if(const char* folder = std::getenv("PRINCETON_FOLDER"))
+  if (const char* folder = std::getenv("PRINCETON_FOLDER"))
     same_face_as_all_pairs_on_models(folder);
   return check::result();
 }

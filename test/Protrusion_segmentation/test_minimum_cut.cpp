@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Level sets and minimum cuts against brute force on small surfaces.
@@ -7,6 +9,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Tip_orders.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 
 #include <numeric>
@@ -18,6 +21,11 @@ using internal::Level_set;
 using internal::Weighted_dual_graph;
 using Nodes = Graph_partition::Nodes;
 
+Weighted_dual_graph weighted_dual_graph(const Indexed_surface& surface)
+{
+  return internal::make_weighted_dual_graph(surface, internal::default_cut_policy(), quiet_execution());
+}
+
 Nodes all_nodes(const Weighted_dual_graph& graph)
 {
   Nodes nodes(graph.number_of_nodes());
@@ -28,9 +36,9 @@ Nodes all_nodes(const Weighted_dual_graph& graph)
 double cost_of(const Weighted_dual_graph& graph, const std::vector<bool>& inner)
 {
   double cost = 0;
-  for(Index i = 0; i < graph.number_of_nodes(); ++i)
-    for(const Index arc : graph.arcs(i))
-      if(inner[i] && !inner[graph.target[arc]])
+  for (Index i = 0; i < graph.number_of_nodes(); ++i)
+    for (const Index arc : graph.arcs(i))
+      if (inner[i] && !inner[graph.target[arc]])
         cost += graph.capacity[arc];
   return cost;
 }
@@ -40,24 +48,24 @@ double best_component(const Weighted_dual_graph& graph, const Nodes& order)
 {
   double best = infinity;
   std::vector<bool> is_below(graph.number_of_nodes(), false);
-  for(const Index last : order)
+  for (const Index last : order)
   {
     is_below[last] = true;
     std::vector<bool> inner(graph.number_of_nodes(), false);
     std::vector<Index> queue(1, last);
     inner[last] = true;
     double area = 0;
-    for(std::size_t i = 0; i < queue.size(); ++i)
+    for (std::size_t i = 0; i < queue.size(); ++i)
     {
       area += graph.area[queue[i]];
-      for(const Index arc : graph.arcs(queue[i]))
-        if(is_below[graph.target[arc]] && !inner[graph.target[arc]])
+      for (const Index arc : graph.arcs(queue[i]))
+        if (is_below[graph.target[arc]] && !inner[graph.target[arc]])
         {
           inner[graph.target[arc]] = true;
           queue.push_back(graph.target[arc]);
         }
     }
-    if(queue.size() < order.size())
+    if (queue.size() < order.size())
       best = std::min(best, internal::relative_cost(cost_of(graph, inner), area, 1));
   }
   return best;
@@ -65,21 +73,24 @@ double best_component(const Weighted_dual_graph& graph, const Nodes& order)
 
 void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
 {
-  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(to_surface_part(mesh));
+  const Weighted_dual_graph graph = weighted_dual_graph(to_surface(mesh));
   Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
-  Nodes order = partition.nodes_by_distance(Nodes(1, tip % graph.number_of_nodes()),
-                                            [](Index) { return true; }, graph.seam_lengths());
+  Nodes order = partition
+                  .nodes_by_distance(
+                    Nodes(1, tip % graph.number_of_nodes()), [](Index) { return true; },
+                    graph.seam_lengths())
+                  .nodes;
   CHECK_EQUAL(order.size(), graph.number_of_nodes());
   internal::Level_set_sweep sweep(partition);
-  for(const bool descending : {false, true})
+  for (const bool descending : {false, true})
   {
     std::vector<Level_set> level_sets;
     sweep(order, 1, 0, descending, level_sets);
     double best = infinity;
-    for(const Level_set& level_set : level_sets)
+    for (const Level_set& level_set : level_sets)
       best = std::min(best, level_set.relative_cost);
     const double expected = best_component(graph, order);
-    if(expected < infinity)
+    if (expected < infinity)
       CHECK_CLOSE(best, expected, 1e-6 * (1 + expected));
     std::reverse(order.begin(), order.end());
   }
@@ -88,36 +99,39 @@ void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
 // Over all subsets of the band.
 void minimum_cuts_are_minimal(unsigned int seed)
 {
-  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(to_surface_part(random_surface(seed)));
+  const Weighted_dual_graph graph = weighted_dual_graph(to_surface(random_surface(seed)));
   const Index n = graph.number_of_nodes();
   Graph_partition partition(graph, std::vector<Index>(n, 0));
-  const Nodes order =
-    partition.nodes_by_distance(Nodes(1, 0), [](Index) { return true; }, graph.lengths());
+  const Nodes order = partition
+                        .nodes_by_distance(
+                          Nodes(1, 0), [](Index) { return true; }, graph.lengths())
+                        .nodes;
   const Index half = n / 2;
-  if(half < 6 || half + 6 > n)
+  if (half < 6 || half + 6 > n)
     return;
   const Nodes inner(order.begin(), order.begin() + half);
   const Nodes band(order.begin() + half - 5, order.begin() + half + 5);
   partition.mark(order, inner);
   std::vector<bool> is_inner(n, false);
-  for(const Index i : inner)
+  for (const Index i : inner)
     is_inner[i] = true;
 
   std::vector<Index> number(n, Indexed_surface::no_face());
   internal::Band_network network(partition, 0, band, number);
-  CHECK(std::all_of(number.begin(), number.end(), [](Index i) { return i == Indexed_surface::no_face(); }));
-  if(!network.has_terminals())
+  CHECK(
+    std::all_of(number.begin(), number.end(), [](Index i) { return i == Indexed_surface::no_face(); }));
+  if (!network.has_terminals())
     return;
   const std::vector<bool> source_side = network.source_side();
   std::vector<bool> found = is_inner;
-  for(std::size_t i = 0; i < band.size(); ++i)
+  for (std::size_t i = 0; i < band.size(); ++i)
     found[band[i]] = source_side[i];
 
   double least = infinity;
-  for(unsigned int subset = 0; subset < (1u << band.size()); ++subset)
+  for (unsigned int subset = 0; subset < (1u << band.size()); ++subset)
   {
     std::vector<bool> candidate = is_inner;
-    for(std::size_t i = 0; i < band.size(); ++i)
+    for (std::size_t i = 0; i < band.size(); ++i)
       candidate[band[i]] = (subset >> i) & 1;
     least = std::min(least, cost_of(graph, candidate));
   }
@@ -126,23 +140,23 @@ void minimum_cuts_are_minimal(unsigned int seed)
 
 void both_sides_of_a_cut_are_connected(unsigned int seed)
 {
-  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(to_surface_part(random_surface(seed)));
-  const Nodes part = all_nodes(graph);
-  Graph_partition partition(graph, std::vector<Index>(part.size(), 0));
+  const Weighted_dual_graph graph = weighted_dual_graph(to_surface(random_surface(seed)));
+  const Nodes nodes = all_nodes(graph);
+  Graph_partition partition(graph, std::vector<Index>(nodes.size(), 0));
   Random random(seed);
   Nodes some;
-  for(const Index i : part)
-    if(random.index(3) == 0)
+  for (const Index i : nodes)
+    if (random.index(3) == 0)
       some.push_back(i);
-  if(some.empty())
+  if (some.empty())
     return;
-  const Nodes inner = partition.connect_sides(part, 0, some);
-  for(const bool side : {true, false})
+  const Nodes inner = partition.connect_sides(nodes, 0, some);
+  for (const bool side : {true, false})
   {
     const auto on_side = [&](Index i) { return partition.is_inner(i) == side; };
-    const auto first = std::find_if(part.begin(), part.end(), on_side);
-    const std::size_t size = side ? inner.size() : part.size() - inner.size();
-    if(first != part.end())
+    const auto first = std::find_if(nodes.begin(), nodes.end(), on_side);
+    const std::size_t size = side ? inner.size() : nodes.size() - inner.size();
+    if (first != nodes.end())
       CHECK_EQUAL(partition.connected_nodes(*first, on_side).size(), size);
     else
       CHECK_EQUAL(size, 0);
@@ -153,20 +167,21 @@ void both_sides_of_a_cut_are_connected(unsigned int seed)
 void best_cuts_of_a_star_are_its_arms()
 {
   const Test_mesh mesh = star(6);
-  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(to_surface_part(mesh));
-  const Nodes part = all_nodes(graph);
-  Graph_partition partition(graph, std::vector<Index>(part.size(), 0));
-  internal::Cut_search search(partition);
-  const std::vector<internal::Cut> cuts = search.cuts(0, part, search.tip_fields(0, part));
+  const Weighted_dual_graph graph = weighted_dual_graph(to_surface(mesh));
+  const Nodes nodes = all_nodes(graph);
+  Graph_partition partition(graph, std::vector<Index>(nodes.size(), 0));
+  internal::Cut_search search(partition, internal::default_cut_policy());
+  internal::Tip_orders tip_orders(partition);
+  const std::vector<internal::Cut> cuts = search.cuts(0, nodes, tip_orders.from_all_tips(0, nodes));
   // more than one, but not always all: the others are found in what remains
   constexpr std::size_t least_number = 3;
   CHECK(cuts.size() >= least_number);
-  for(std::size_t c = 0; c < least_number && c < cuts.size(); ++c)
+  for (std::size_t c = 0; c < least_number && c < cuts.size(); ++c)
   {
     CHECK(cuts[c].value > 0);
     CHECK(c == 0 || cuts[c].value <= cuts[c - 1].value);
     std::vector<double> area(7, 0);
-    for(const Index i : cuts[c].inner)
+    for (const Index i : cuts[c].inner)
       area[mesh.parts[i]] += graph.area[i];
     const double total = std::accumulate(area.begin(), area.end(), 0.);
     CHECK(*std::max_element(area.begin() + 1, area.end()) > 0.9 * total);
@@ -175,7 +190,7 @@ void best_cuts_of_a_star_are_its_arms()
 
 int main()
 {
-  for(unsigned int seed = 0; seed < 60; ++seed)
+  for (unsigned int seed = 0; seed < 60; ++seed)
   {
     sweeps_find_the_best_level_set(random_surface(seed), seed);
     minimum_cuts_are_minimal(seed);

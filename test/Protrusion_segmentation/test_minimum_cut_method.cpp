@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The default method as a whole: borders by minimum cuts, and the hierarchy.
@@ -34,7 +36,7 @@ void check_parts(const Test_mesh& mesh, double least_share)
 
 void true_parts_are_found()
 {
-  for(const std::size_t arms : {3, 5, 8})
+  for (const std::size_t arms : {3, 5, 8})
     check_parts(star(arms), 0.9);
   check_parts(capsule_with_ball(), 0.9);
   check_parts(dumbbell(), 0.9);
@@ -43,7 +45,7 @@ void true_parts_are_found()
 
 void evident_protrusions_are_counted_without_a_number()
 {
-  for(const std::size_t arms : {3, 5, 8})
+  for (const std::size_t arms : {3, 5, 8})
     CHECK_EQUAL(automatic_segmentation(star(arms)).number, arms + 1);
   CHECK_EQUAL(automatic_segmentation(icosphere(3)).number, 1);
 }
@@ -56,17 +58,17 @@ void the_hierarchy_holds_every_segmentation()
   CHECK_EQUAL(hierarchy.minimum_number_of_segments(), 2);
   CHECK_EQUAL(hierarchy.maximum_number_of_segments(), 12);
   Labels coarser;
-  for(std::size_t k = 2; k <= 12; ++k)
+  for (std::size_t k = 2; k <= 12; ++k)
   {
     Segment_ids<Mesh> ids(mesh);
     hierarchy.segment_ids(mesh, k, ids.map());
-    const Segmentation direct =
-      checked(mesh, [&](auto map) { return CGAL::segmentation_via_protrusion_tips(mesh, map, k); });
+    const Segmentation direct = checked(mesh, [&](auto map)
+                                        { return CGAL::segmentation_via_protrusion_tips(mesh, map, k); });
     CHECK(ids.labels() == direct.labels);
-    if(k > 2)
+    if (k > 2)
     {
       std::set<std::pair<std::size_t, std::size_t>> pairs; // (finer, coarser) segments of a face
-      for(std::size_t f = 0; f < coarser.size(); ++f)
+      for (std::size_t f = 0; f < coarser.size(); ++f)
         pairs.emplace(direct.labels[f], coarser[f]);
       CHECK_EQUAL(pairs.size(), k);
       CHECK(pairs.count({k - 1, hierarchy.parent(k - 1)}) == 1);
@@ -74,8 +76,10 @@ void the_hierarchy_holds_every_segmentation()
     coarser = direct.labels;
   }
   Segment_ids<Mesh> ids(mesh);
-  CHECK_THROWS_WITH(hierarchy.segment_ids(mesh, 1, ids.map()), std::invalid_argument, "number_of_segments");
-  CHECK_THROWS_WITH(hierarchy.segment_ids(mesh, 13, ids.map()), std::invalid_argument, "number_of_segments");
+  CHECK_THROWS_WITH(hierarchy.segment_ids(mesh, 1, ids.map()), std::invalid_argument,
+                    "number_of_segments");
+  CHECK_THROWS_WITH(hierarchy.segment_ids(mesh, 13, ids.map()), std::invalid_argument,
+                    "number_of_segments");
   CHECK_THROWS_WITH(hierarchy.segment_ids(to_graph<Mesh>(tetrahedron()), 2, ids.map()),
                     std::invalid_argument, "tmesh");
 }
@@ -87,13 +91,12 @@ void tips_of_a_user_are_cut_off()
   std::vector<Mesh::Face_index> tips;
   CGAL::protrusion_tips(mesh, 5, std::back_inserter(tips), PS::Geodesic_distance());
   tips.resize(3);
-  const Segmentation found = checked(mesh, [&](auto ids) {
-    return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, PS::Geodesic_distance(),
-                                                   PS::Minimum_cut_method());
-  });
+  const Segmentation found = checked(
+    mesh, [&](auto ids)
+    { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, PS::Minimum_cut_method()); });
   CHECK_EQUAL(found.number, 4);
   std::set<std::size_t> segments;
-  for(const auto tip : tips)
+  for (const auto tip : tips)
     segments.insert(found.labels[tip]);
   CHECK(segments == std::set<std::size_t>({1, 2, 3}));
 }
@@ -103,10 +106,13 @@ void other_distances_serve_the_search()
 {
   const Test_mesh soup = star(4);
   const Mesh mesh = to_graph<Mesh>(soup);
-  const Segmentation found = checked(mesh, [&](auto ids) {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids, 5, PS::Landmark_geodesic_distance(0.05),
-                                                  PS::Minimum_cut_method());
-  });
+  const Segmentation found = checked(mesh,
+                                     [&](auto ids)
+                                     {
+                                       return CGAL::segmentation_via_protrusion_tips(
+                                         mesh, ids, 5,
+                                         PS::Minimum_cut_method(PS::Landmark_geodesic_distance(0.05)));
+                                     });
   CHECK_EQUAL(found.number, 5);
   CHECK(share_in_true_parts(soup, found.labels) > 0.85);
 }
@@ -115,10 +121,10 @@ void scale_position_and_orientation_do_not_matter()
 {
   const Test_mesh mesh = star(4);
   const Labels expected = default_segmentation(mesh, 5).labels;
-  for(const double factor : {std::ldexp(1., -900), 4., std::ldexp(1., 900)})
+  for (const double factor : {std::ldexp(1., -900), 4., std::ldexp(1., 900)})
     CHECK(default_segmentation(scaled(mesh, factor), 5).labels == expected);
-  for(const Test_mesh& moved : {rotated(mesh, {1, 2, 3}, 1), translated(mesh, {10, -20, 5}),
-                                with_reversed_orientation(mesh)})
+  for (const Test_mesh& moved :
+       {rotated(mesh, {1, 2, 3}, 1), translated(mesh, {10, -20, 5}), with_reversed_orientation(mesh)})
     CHECK(as_partition(default_segmentation(moved, 5).labels) == as_partition(expected));
 }
 
@@ -126,18 +132,22 @@ void scale_position_and_orientation_do_not_matter()
 void odd_meshes_are_segmented()
 {
   const std::vector<Test_mesh> meshes = {
-    single_triangle(), tetrahedron(), box(1, 1, 1), sheet(10, 20), thin_strip(20, 0.001), torus(), open_cylinder(),
-    scaled(tetrahedron(), 0), scaled(star(3), 0), dodecahedron(), dual(icosphere(3)),
-    merged({icosphere(2), tetrahedron(), sheet(3, 3)}), bumpy_sphere(3, 5)};
-  for(const Test_mesh& mesh : meshes)
-    for(const std::size_t k : {std::size_t(1), std::size_t(2), std::size_t(5), mesh.faces.size()})
-      if(k <= mesh.faces.size())
+    single_triangle(),     tetrahedron(),
+    box(1, 1, 1),          sheet(10, 20),
+    thin_strip(20, 0.001), torus(),
+    open_cylinder(),       scaled(tetrahedron(), 0),
+    scaled(star(3), 0),    dodecahedron(),
+    dual(icosphere(3)),    merged({icosphere(2), tetrahedron(), sheet(3, 3)}),
+    bumpy_sphere(3, 5)};
+  for (const Test_mesh& mesh : meshes)
+    for (const std::size_t k : {std::size_t(1), std::size_t(2), std::size_t(5), mesh.faces.size()})
+      if (k <= mesh.faces.size())
       {
         const Segmentation found = default_segmentation(mesh, k);
         CHECK(found.number >= 1);
         CHECK(found.number <= std::max(k, number_of_components(mesh)));
       }
-  for(unsigned int seed = 0; seed < 40; ++seed)
+  for (unsigned int seed = 0; seed < 40; ++seed)
     CHECK(default_segmentation(random_surface(seed), 4).number >= 1);
 }
 

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Sections by planes have the components that CGAL::Polygon_mesh_slicer finds; diameters are those
@@ -30,8 +32,8 @@ constexpr double tolerance = 1e-12;
 double brute_force_diameter(const Points& points)
 {
   double largest = 0;
-  for(const Point& p : points)
-    for(const Point& q : points)
+  for (const Point& p : points)
+    for (const Point& q : points)
       largest = std::max(largest, length(p - q));
   return largest;
 }
@@ -40,9 +42,9 @@ Points unique_points(Points points)
 {
   std::sort(points.begin(), points.end());
   Points result;
-  for(const Point& p : points)
-    if(std::none_of(result.begin(), result.end(),
-                    [&](const Point& q) { return length(p - q) < tolerance; }))
+  for (const Point& p : points)
+    if (std::none_of(result.begin(), result.end(),
+                     [&](const Point& q) { return length(p - q) < tolerance; }))
       result.push_back(p);
   return result;
 }
@@ -52,17 +54,15 @@ Points unique_points(Points points)
 std::vector<Points> sorted_components(std::vector<Points> components)
 {
   std::vector<Points> result;
-  for(Points& points : components)
+  for (Points& points : components)
   {
     points = unique_points(std::move(points));
-    if(points.size() > 1)
+    if (points.size() > 1)
       result.push_back(std::move(points));
   }
   // by the diameter, rounded where symmetric components tie, then by position
   const auto key = [](const Points& points)
-  {
-    return std::make_pair(std::lround(1e6 * brute_force_diameter(points)), points.front());
-  };
+  { return std::make_pair(std::lround(1e6 * brute_force_diameter(points)), points.front()); };
   std::sort(result.begin(), result.end(),
             [&](const Points& a, const Points& b) { return key(a) < key(b); });
   return result;
@@ -77,31 +77,32 @@ std::vector<Points> components_by_slicer(const Mesh& mesh, const Section_plane& 
                          Kernel::Vector_3(n.x(), n.y(), n.z())),
          std::back_inserter(polylines));
   std::vector<Points> components;
-  for(const auto& polyline : polylines)
+  for (const auto& polyline : polylines)
   {
     components.emplace_back();
-    for(const Kernel::Point_3& p : polyline)
+    for (const Kernel::Point_3& p : polyline)
       components.back().push_back({p.x(), p.y(), p.z()});
   }
   return sorted_components(components);
 }
 
-std::vector<Points> components_by_walk(const Indexed_surface& part, Plane_section& section,
+std::vector<Points> components_by_walk(const Indexed_surface& surface,
+                                       Plane_section& section,
                                        const Section_plane& plane)
 {
   std::vector<Points> components;
   section.start();
-  for(Index f = 0; f < part.number_of_faces(); ++f)
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
     std::vector<Indexed_surface::Point_3> points;
     section.component(f, plane, points);
-    if(points.empty())
+    if (points.empty())
       continue;
     components.emplace_back();
-    for(const Indexed_surface::Point_3& p : points)
+    for (const Indexed_surface::Point_3& p : points)
       components.back().push_back({p.x(), p.y(), p.z()});
-    CHECK_CLOSE(planar_diameter(points, plane.normal),
-                brute_force_diameter(components.back()), tolerance);
+    CHECK_CLOSE(planar_diameter(points, plane.normal), brute_force_diameter(components.back()),
+                tolerance);
   }
   return sorted_components(components);
 }
@@ -110,20 +111,22 @@ class Sliced_mesh
 {
 public:
   explicit Sliced_mesh(const Test_mesh& mesh)
-    : m_mesh(to_graph<Mesh>(mesh)), m_part(to_surface_part(mesh)), m_section(m_part)
+    : m_mesh(to_graph<Mesh>(mesh)),
+      m_surface(to_surface(mesh)),
+      m_section(m_surface)
   {}
 
   // Returns the number of components.
   std::size_t check(const Section_plane& plane)
   {
     const std::vector<Points> expected = components_by_slicer(m_mesh, plane);
-    const std::vector<Points> found = components_by_walk(m_part, m_section, plane);
+    const std::vector<Points> found = components_by_walk(m_surface, m_section, plane);
     CHECK_EQUAL(found.size(), expected.size());
-    for(std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i)
+    for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i)
     {
       CHECK_EQUAL(found[i].size(), expected[i].size());
       CHECK_CLOSE(brute_force_diameter(found[i]), brute_force_diameter(expected[i]), tolerance);
-      for(std::size_t j = 0; j < std::min(found[i].size(), expected[i].size()); ++j)
+      for (std::size_t j = 0; j < std::min(found[i].size(), expected[i].size()); ++j)
         CHECK(std::any_of(expected[i].begin(), expected[i].end(),
                           [&](const Point& p) { return length(p - found[i][j]) < tolerance; }));
     }
@@ -132,7 +135,7 @@ public:
 
 private:
   Mesh m_mesh;
-  Indexed_surface m_part;
+  Indexed_surface m_surface;
   Plane_section m_section;
 };
 
@@ -146,14 +149,14 @@ Section_plane random_plane(Random& random, double size)
 
 void random_planes_give_the_same_components()
 {
-  for(const Test_mesh& mesh :
-      {icosphere(3), bumpy_sphere(3, 2), triangulated(torus()),
-       triangulated(open_cylinder()), triangulated(closed_cylinder()), height_field(9, 8, 1),
-       random_surface(5), merged({icosphere(2), translated(icosphere(1), {0.5, 2, 0})})})
+  for (const Test_mesh& mesh :
+       {icosphere(3), bumpy_sphere(3, 2), triangulated(torus()), triangulated(open_cylinder()),
+        triangulated(closed_cylinder()), height_field(9, 8, 1), random_surface(5),
+        merged({icosphere(2), translated(icosphere(1), {0.5, 2, 0})})})
   {
     Sliced_mesh sliced(mesh);
     Random random(1);
-    for(int i = 0; i < 60; ++i)
+    for (int i = 0; i < 60; ++i)
       sliced.check(random_plane(random, 1.5));
   }
 }
@@ -170,14 +173,14 @@ void a_torus_has_sections_in_two_components()
 void planes_through_vertices_and_edges_give_the_same_points()
 {
   Sliced_mesh ball(icosphere(2)); // some edges lie in the coordinate planes
-  for(const Vector_3& normal : {Vector_3(1, 0, 0), Vector_3(0, -1, 0), Vector_3(0, 0, 1)})
+  for (const Vector_3& normal : {Vector_3(1, 0, 0), Vector_3(0, -1, 0), Vector_3(0, 0, 1)})
     CHECK_EQUAL(ball.check({{0, 0, 0}, normal}), 1);
   Sliced_mesh cylinder(triangulated(open_cylinder(1, 4, 0.25)));
-  for(const double z : {0.5, 1., 2.75}) // rings of edges
+  for (const double z : {0.5, 1., 2.75}) // rings of edges
     CHECK_EQUAL(cylinder.check({{0, 0, z}, {0, 0, 1}}), 1);
   Sliced_mesh body(triangulated(box(3, 2, 4)));
-  for(const double t : {0.5, 1.})
-    for(const Vector_3& normal : {Vector_3(1, 0, 0), Vector_3(0, 1, 0), Vector_3(0, 0, 1)})
+  for (const double t : {0.5, 1.})
+    for (const Vector_3& normal : {Vector_3(1, 0, 0), Vector_3(0, 1, 0), Vector_3(0, 0, 1)})
       CHECK_EQUAL(body.check({{t, t, t}, normal}), 1);
   Sliced_mesh sheet_mesh(triangulated(sheet(5, 5)));
   CHECK_EQUAL(sheet_mesh.check({{2, 0, 0}, {1, 0, 0}}), 1);
@@ -186,14 +189,14 @@ void planes_through_vertices_and_edges_give_the_same_points()
 
 void a_plane_beside_the_surface_crosses_nothing()
 {
-  const Indexed_surface part = to_surface_part(icosphere(2));
-  Plane_section section(part);
+  const Indexed_surface surface = to_surface(icosphere(2));
+  Plane_section section(surface);
   std::vector<Indexed_surface::Point_3> points;
-  for(const Section_plane& plane : {Section_plane{{0, 0, 2}, {0, 0, 1}},
-                                    Section_plane{{0, 0, 0}, {0, 0, 0}}})
+  for (const Section_plane& plane :
+       {Section_plane{{0, 0, 2}, {0, 0, 1}}, Section_plane{{0, 0, 0}, {0, 0, 0}}})
   {
     section.start();
-    for(Index f = 0; f < part.number_of_faces(); ++f)
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
       section.component(f, plane, points);
     CHECK(points.empty());
   }
@@ -201,14 +204,14 @@ void a_plane_beside_the_surface_crosses_nothing()
 
 void a_component_is_given_once_a_section()
 {
-  const Indexed_surface part = to_surface_part(icosphere(2));
-  Plane_section section(part);
+  const Indexed_surface surface = to_surface(icosphere(2));
+  Plane_section section(surface);
   const Section_plane plane = {{0, 0, 0.1}, {0.1, 0.2, 1}};
   std::vector<Indexed_surface::Point_3> once, again;
   const auto section_of_all_faces = [&](std::vector<Indexed_surface::Point_3>& points)
   {
     section.start();
-    for(Index f = 0; f < part.number_of_faces(); ++f)
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
       section.component(f, plane, points);
   };
   section_of_all_faces(once);
@@ -221,7 +224,7 @@ void a_component_is_given_once_a_section()
 void diameters_of_points_in_a_plane()
 {
   Random random(3);
-  for(int i = 0; i < 300; ++i)
+  for (int i = 0; i < 300; ++i)
   {
     const double a = random.real(-1, 1), b = random.real(-1, 1);
     const Vector_3 u(1, 0, a), v(0, 1, b), normal = CGAL::cross_product(u, v);
@@ -229,7 +232,7 @@ void diameters_of_points_in_a_plane()
     const std::size_t n = 1 + random.index(40);
     std::vector<Indexed_surface::Point_3> points;
     Points copies;
-    for(std::size_t j = 0; j < n; ++j)
+    for (std::size_t j = 0; j < n; ++j)
     {
       const double turn = 2 * pi * double(j) / double(n);
       const double x = i % 2 == 0 ? std::cos(turn) : random.real(-1, 1);
@@ -243,8 +246,8 @@ void diameters_of_points_in_a_plane()
   CHECK_EQUAL(planar_diameter({}, {0, 0, 1}), 0);
   CHECK_EQUAL(planar_diameter({{1, 2, 3}}, {0, 0, 1}), 0);
   CHECK_EQUAL(planar_diameter({{1, 2, 3}, {2, 2, 3}}, {0, 0, 0}), 0); // no plane
-  CHECK_CLOSE(planar_diameter({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {0, 0, -5}),
-              std::sqrt(5.), 1e-15);
+  CHECK_CLOSE(planar_diameter({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {0, 0, -5}), std::sqrt(5.),
+              1e-15);
 }
 
 int main()

@@ -20,7 +20,10 @@ using CGAL::Protrusion_segmentation::internal::polygon_area_vector;
 
 constexpr double exact = 1e-12;
 
-double distance(const Point& a, const Point& b) { return std::sqrt(CGAL::squared_distance(a, b)); }
+double distance(const Point& a, const Point& b)
+{
+  return std::sqrt(CGAL::squared_distance(a, b));
+}
 
 void check_measures(const std::vector<Point>& corners, double area, const Point& centroid)
 {

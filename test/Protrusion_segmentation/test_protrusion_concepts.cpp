@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Archetypes: classes with nothing but what the concepts ask for.
@@ -17,22 +19,22 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 class Hop_distances
 {
 public:
-  explicit Hop_distances(const Indexed_surface& part) : m_part(&part) {}
+  explicit Hop_distances(const Indexed_surface& surface) : m_surface(&surface) {}
   Hop_distances(Hop_distances&&) = default;
   Hop_distances& operator=(Hop_distances&&) = delete;
 
   void operator()(Indexed_surface::Index source, std::vector<double>& distances)
   {
     ++m_number_of_runs;
-    distances.assign(m_part->number_of_faces(), infinity());
+    distances.assign(m_surface->number_of_faces(), infinity());
     distances[source] = 0;
     std::vector<Indexed_surface::Index> queue(1, source);
-    for(std::size_t i = 0; i < queue.size(); ++i)
-      for(Indexed_surface::Index c = m_part->first_corner(queue[i]);
-          c < m_part->first_corner(queue[i] + 1); ++c)
+    for (std::size_t i = 0; i < queue.size(); ++i)
+      for (Indexed_surface::Index c = m_surface->first_corner(queue[i]);
+           c < m_surface->first_corner(queue[i] + 1); ++c)
       {
-        const Indexed_surface::Index g = m_part->neighbor(c);
-        if(g == Indexed_surface::no_face() || distances[g] < infinity())
+        const Indexed_surface::Index g = m_surface->neighbor(c);
+        if (g == Indexed_surface::no_face() || distances[g] < infinity())
           continue;
         distances[g] = distances[queue[i]] + 1;
         queue.push_back(g);
@@ -44,7 +46,7 @@ public:
 private:
   static constexpr double infinity() { return std::numeric_limits<double>::infinity(); }
 
-  const Indexed_surface* m_part;
+  const Indexed_surface* m_surface;
   std::size_t m_number_of_runs = 0;
 };
 
@@ -52,31 +54,27 @@ class Hop_distance
 {
 public:
   explicit Hop_distance(int) {}
-  Hop_distance(const Hop_distance&) = delete;
+  Hop_distance(const Hop_distance&) = default; // a method keeps a copy
   Hop_distance& operator=(const Hop_distance&) = delete;
 
-  auto on(const Indexed_surface& part, unsigned int /* random_seed */) const
+  auto on(const Indexed_surface& surface, Execution& /* execution */) const
   {
-    return Hop_distances(part);
+    return Hop_distances(surface);
   }
 };
 
-// Not derived from Default_visitor; copied, but not assigned or made from nothing.
-class Visitor
+// Copied, but not assigned or made from nothing.
+class Visitor : public Segmentation_visitor<Mesh>
 {
 public:
   explicit Visitor(std::size_t& calls) : m_calls(&calls) {}
   Visitor(const Visitor&) = default;
   Visitor& operator=(const Visitor&) = delete;
 
-  void stage_starts(Stage) { ++*m_calls; }
-  void stage_ends(Stage) { ++*m_calls; }
-  void progress(double) { ++*m_calls; }
-  bool go_further() { return true; }
-  void tip_found(std::size_t) { ++*m_calls; }
-  void tip_eliminated(std::size_t) { ++*m_calls; }
-  void protrusion_found(const Protrusion&) { ++*m_calls; }
-  void distances_computed(std::size_t) { ++*m_calls; }
+  void on_reading_begin() override { ++*m_calls; }
+  void on_progress(double) override { ++*m_calls; }
+  void on_tip(face_descriptor) override { ++*m_calls; }
+  void on_protrusion(const Protrusion<face_descriptor>&) override { ++*m_calls; }
 
 private:
   std::size_t* m_calls;
@@ -87,26 +85,26 @@ int main()
   const Test_mesh soup = star(3, 2, 0.2, 0.04, 0.25);
   const Mesh mesh = to_graph<Mesh>(soup);
   const Hop_distance distance(0);
-  const Histogram_method border;
+  const Histogram_method method(distance);
   std::size_t calls = 0;
 
-  const Segmentation found = checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids, 4, distance, border,
-                                                  CGAL::parameters::visitor(Visitor(calls)));
-  });
+  const Segmentation found = checked(mesh,
+                                     [&](auto ids)
+                                     {
+                                       return CGAL::segmentation_via_protrusion_tips(
+                                         mesh, ids, 4, method, CGAL::parameters::visitor(Visitor(calls)));
+                                     });
   CHECK_EQUAL(found.number, 4);
   CHECK(calls > 10);
 
   std::vector<Mesh::Face_index> tips;
   CGAL::protrusion_tips(mesh, 3, std::back_inserter(tips), distance);
   std::set<std::size_t> arms;
-  for(const Mesh::Face_index tip : tips)
+  for (const Mesh::Face_index tip : tips)
     arms.insert(soup.parts[tip]);
   CHECK(arms == (std::set<std::size_t>{1, 2, 3}));
   CHECK(checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, distance, border);
-  }).number > 1);
+                { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, method); })
+          .number > 1);
   return check::result();
 }

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Several threads may segment one constant mesh at the same time. Compiled with the thread sanitizer where
@@ -18,42 +20,40 @@ using namespace CGAL::Protrusion_segmentation;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-template <typename Distance, typename Border>
-Labels labels(const Mesh& mesh, const Distance& distance, const Border& border)
+template <typename Method>
+Labels labels(const Mesh& mesh, const Method& method)
 {
   Labels result(mesh.number_of_faces(), unwritten);
   CGAL::segmentation_via_protrusion_tips(
-    mesh, boost::make_iterator_property_map(result.begin(), get(boost::face_index, mesh)), 4, distance,
-    border);
+    mesh, boost::make_iterator_property_map(result.begin(), get(boost::face_index, mesh)), 4, method);
   return result;
 }
 
 int main()
 {
   const Mesh mesh = to_graph<Mesh>(star(3, 1, 0.3, 0.04, 0.4));
-  const Geodesic_distance geodesic;
-  const Landmark_geodesic_distance landmark;
-  const Diffusion_distance diffusion;
-  const Histogram_method histogram;
   const Minimum_cut_method minimum_cut;
+  const Minimum_cut_method minimum_cut_by_diffusion{Diffusion_distance()};
+  const Histogram_method geodesic;
+  const Histogram_method landmark{Landmark_geodesic_distance()};
+  const Histogram_method diffusion{Diffusion_distance()};
   const std::vector<std::function<Labels()>> methods = {
-    [&]() { return labels(mesh, geodesic, minimum_cut); },
-    [&]() { return labels(mesh, geodesic, histogram); },
-    [&]() { return labels(mesh, landmark, histogram); },
-    [&]() { return labels(mesh, diffusion, histogram); }};
+    [&]() { return labels(mesh, minimum_cut); }, [&]() { return labels(mesh, minimum_cut_by_diffusion); },
+    [&]() { return labels(mesh, geodesic); }, [&]() { return labels(mesh, landmark); },
+    [&]() { return labels(mesh, diffusion); }};
 
   std::vector<Labels> expected;
-  for(const auto& method : methods)
+  for (const auto& method : methods)
     expected.push_back(method());
 
   constexpr std::size_t number_of_rounds = 2; // of which each runs all methods at the same time
   std::vector<Labels> found(number_of_rounds * methods.size());
   std::vector<std::thread> threads;
-  for(std::size_t i = 0; i < found.size(); ++i)
+  for (std::size_t i = 0; i < found.size(); ++i)
     threads.emplace_back([&, i]() { found[i] = methods[i % methods.size()](); });
-  for(std::thread& thread : threads)
+  for (std::thread& thread : threads)
     thread.join();
-  for(std::size_t i = 0; i < found.size(); ++i)
+  for (std::size_t i = 0; i < found.size(); ++i)
     CHECK(found[i] == expected[i % methods.size()]);
   return check::result();
 }

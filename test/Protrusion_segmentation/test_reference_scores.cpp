@@ -97,13 +97,16 @@ std::vector<double> scores(const Mesh& mesh, Segment_id_map segment_ids, Segment
   const auto metrics = CGAL::segmentation_metrics(mesh, segment_ids, reference_ids);
   const auto& consistency = metrics.consistency_error;
   const auto& hamming = metrics.hamming_distance;
-  const double rand_index_error =
-    CGAL::Protrusion_segmentation::internal::rand_index_error_of_benchmark(metrics.rand_index_error,
-                                                                           mesh.number_of_faces());
-  return {consistency.global,         consistency.local,
-          consistency.global_by_area, consistency.local_by_area,
-          hamming.distance,           hamming.missing_rate,
-          hamming.false_alarm_rate,   metrics.cut_discrepancy.value_or(undefined),
+  const double rand_index_error = CGAL::Protrusion_segmentation::internal::rand_index_error_of_benchmark(
+    metrics.rand_index_error, mesh.number_of_faces());
+  return {consistency.global,
+          consistency.local,
+          consistency.global_by_area,
+          consistency.local_by_area,
+          hamming.distance,
+          hamming.missing_rate,
+          hamming.false_alarm_rate,
+          metrics.cut_discrepancy.value_or(undefined),
           rand_index_error};
 }
 

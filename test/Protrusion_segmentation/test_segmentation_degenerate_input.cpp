@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Whatever a mesh holds, the result is a valid segmentation or an exception that says why.
@@ -16,55 +18,61 @@ using namespace CGAL::Protrusion_segmentation;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 // Valid for numbers of segments from one to all faces and without a number, and from tips.
-template <typename Distance, typename Border>
-void check_method(const Mesh& mesh, const Distance& distance, const Border& border)
+template <typename Method>
+void check_method(const Mesh& mesh, const std::vector<Mesh::Face_index>& tips, const Method& method)
 {
   const std::size_t n = mesh.number_of_faces();
   std::set<std::size_t> numbers = {1, 2, 5, 20};
-  if(n <= 100)
+  if (n <= 100)
     numbers.insert(n);
-  for(const std::size_t k : numbers)
-    if(k > 0 && k <= n)
+  for (const std::size_t k : numbers)
+    if (k > 0 && k <= n)
     {
-      const Segmentation found = checked(mesh, [&](auto ids)
-      {
-        return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, distance, border);
-      });
+      const Segmentation found = checked(
+        mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, method); });
       CHECK(found.number >= 1);
     }
-  const Segmentation found = checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids, distance, border);
-  });
+  const Segmentation found = checked(
+    mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, method); });
   CHECK_EQUAL(found.number > 0, n > 0);
 
-  std::vector<Mesh::Face_index> tips;
-  CGAL::protrusion_tips(mesh, std::min<std::size_t>(4, n), std::back_inserter(tips), distance);
-  const Segmentation from_tips = checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, distance, border);
-  });
+  const Segmentation from_tips = checked(
+    mesh, [&](auto ids) { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, method); });
   CHECK_EQUAL(from_tips.number > 0, n > 0);
+}
+
+template <typename Distance>
+std::vector<Mesh::Face_index> tips_of(const Mesh& mesh, const Distance& distance)
+{
+  std::vector<Mesh::Face_index> tips;
+  CGAL::protrusion_tips(mesh, std::min<std::size_t>(4, mesh.number_of_faces()), std::back_inserter(tips),
+                        distance);
+  return tips;
 }
 
 void check_valid(const Mesh& mesh)
 {
-  check_method(mesh, Geodesic_distance(), Minimum_cut_method());
-  check_method(mesh, Landmark_geodesic_distance(), Minimum_cut_method());
-  check_method(mesh, Geodesic_distance(), Histogram_method());
-  check_method(mesh, Landmark_geodesic_distance(), Histogram_method());
-  check_method(mesh, Geodesic_distance(), Histogram_method().uses_candidate_intervals(false)
-                                                            .minimum_prominence(1e-6));
-  check_method(mesh, Diffusion_distance(), Histogram_method());
+  const auto check_both = [&](const auto& distance)
+  {
+    const std::vector<Mesh::Face_index> tips = tips_of(mesh, distance);
+    check_method(mesh, tips, Minimum_cut_method(distance));
+    check_method(mesh, tips, Histogram_method(distance));
+  };
+  check_both(Geodesic_distance());
+  check_both(Landmark_geodesic_distance());
+  check_both(Diffusion_distance());
+  const std::vector<Mesh::Face_index> tips = tips_of(mesh, Geodesic_distance());
+  check_method(mesh, tips, Minimum_cut_method());
+  check_method(mesh, tips, Histogram_method().uses_candidate_intervals(false).minimum_prominence(1e-6));
 }
 
 void awkward_meshes_have_valid_segmentations()
 {
-  for(const Awkward_mesh& awkward : awkward_meshes())
+  for (const Awkward_mesh& awkward : awkward_meshes())
   {
     const std::size_t failures = check::counters().failures;
     check_valid(to_graph<Mesh>(awkward.mesh));
-    if(check::counters().failures > failures)
+    if (check::counters().failures > failures)
       std::cerr << "that was: " << awkward.name << std::endl;
   }
 }
@@ -77,8 +85,8 @@ void a_mesh_without_faces_has_no_segments()
   vertices.add_vertex({1, 2, 3});
   check_valid(vertices);
   Segment_ids<Mesh> ids(vertices);
-  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(vertices, ids.map(), 1),
-                    std::invalid_argument, "only 0 faces");
+  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(vertices, ids.map(), 1), std::invalid_argument,
+                    "only 0 faces");
 }
 
 void isolated_vertices_and_removed_faces()
@@ -88,7 +96,7 @@ void isolated_vertices_and_removed_faces()
   soup.add_point({std::nan(""), 0, 0});
   Mesh mesh = to_graph<Mesh>(soup);
   check_valid(mesh);
-  for(unsigned int f = 0; f < 120; f += 3)
+  for (unsigned int f = 0; f < 120; f += 3)
     CGAL::Euler::remove_face(halfedge(Mesh::Face_index(f), mesh), mesh);
   CHECK(mesh.has_garbage());
   check_valid(mesh);
@@ -98,14 +106,12 @@ void isolated_vertices_and_removed_faces()
 void bodies_without_protrusions_are_one_segment()
 {
   const std::set<std::string> smooth = {"sphere", "flat sheet", "coarse sphere"};
-  for(const Awkward_mesh& body : bodies_without_protrusions())
-    if(smooth.count(body.name) > 0)
+  for (const Awkward_mesh& body : bodies_without_protrusions())
+    if (smooth.count(body.name) > 0)
     {
       const Mesh mesh = to_graph<Mesh>(body.mesh);
       const Segmentation found = checked(mesh, [&](auto ids)
-      {
-        return CGAL::segmentation_via_protrusion_tips(mesh, ids);
-      });
+                                         { return CGAL::segmentation_via_protrusion_tips(mesh, ids); });
       CHECK_EQUAL(body.name + ": " + std::to_string(found.number), body.name + ": 1");
     }
 }
@@ -114,13 +120,11 @@ void bodies_without_protrusions_are_one_segment()
 void orientation_does_not_matter()
 {
   const Test_mesh soup = star(4, 1, 0.15, 0.04, 0.2);
-  for(const bool reversed : {false, true})
+  for (const bool reversed : {false, true})
   {
     const Mesh mesh = to_graph<Mesh>(reversed ? with_reversed_orientation(soup) : soup);
     const Segmentation found = checked(mesh, [&](auto ids)
-    {
-      return CGAL::segmentation_via_protrusion_tips(mesh, ids, 5);
-    });
+                                       { return CGAL::segmentation_via_protrusion_tips(mesh, ids, 5); });
     CHECK_EQUAL(found.number, 5);
     CHECK(share_in_true_parts(soup, found.labels) > 0.95);
     CHECK(share_in_true_parts(soup, paper_segmentation(mesh, 5).labels) > 0.9);
@@ -137,8 +141,7 @@ void check_not_finite(const Number& bad)
   Segment_ids<Bad_mesh> ids(mesh);
   CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3), std::invalid_argument,
                     "vertex 20 has a coordinate that is not finite");
-  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3, Geodesic_distance(),
-                                                           Histogram_method()),
+  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3, Histogram_method()),
                     std::invalid_argument, "not finite");
   CHECK(is_untouched({0, ids.labels()}));
   std::vector<typename Bad_mesh::Face_index> tips;
@@ -150,7 +153,7 @@ void check_not_finite(const Number& bad)
 // A number of an exact kernel may be finite and yet no double.
 void coordinates_that_are_not_finite_are_refused()
 {
-  for(const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+  for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL})
   {
     check_not_finite(bad);
     check_not_finite(float(bad));
@@ -184,17 +187,15 @@ void components_share_the_segments()
 {
   const Test_mesh body = star(4, 1, 0.15, 0.04, 0.2);
   const Mesh mesh = to_graph<Mesh>(merged({translated(body, {9, 0, 0}), icosphere(1), body}));
-  for(std::size_t k : {1, 2, 3, 11})
+  for (std::size_t k : {1, 2, 3, 11})
   {
     const Segmentation found = checked(mesh, [&](auto ids)
-    {
-      return CGAL::segmentation_via_protrusion_tips(mesh, ids, k);
-    });
+                                       { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k); });
     CHECK_EQUAL(found.number, std::max<std::size_t>(k, 3));
     std::vector<std::set<std::size_t>> segments(3);
-    for(std::size_t f = 0; f < found.labels.size(); ++f)
+    for (std::size_t f = 0; f < found.labels.size(); ++f)
       segments[f < body.faces.size() ? 0 : f < body.faces.size() + 80 ? 1 : 2].insert(found.labels[f]);
-    for(std::size_t component = 0; component < 3; ++component)
+    for (std::size_t component = 0; component < 3; ++component)
     {
       CHECK(*segments[component].begin() < 3);
       CHECK_EQUAL(segments[component].size(), component == 1 || k <= 3 ? 1 : 5);

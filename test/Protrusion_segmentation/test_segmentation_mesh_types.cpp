@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The same labels on every mesh type and with every kernel.
@@ -8,17 +10,16 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-namespace mesh_types
-{
+namespace mesh_types {
 
 using Simplest_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 const Test_mesh& body()
 {
-  static const Test_mesh the_body = transformed(star(4, 2, 0.15, 0.04, 0.2), [](const Point& p)
-  {
-    return Point{float(p[0]), float(p[1]), float(p[2])};
-  });
+  static const Test_mesh the_body = transformed(star(4, 2, 0.15, 0.04, 0.2),
+                                                [](const Point& p) {
+                                                  return Point{float(p[0]), float(p[1]), float(p[2])};
+                                                });
   return the_body;
 }
 

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Named parameters, options, several components, and what is refused.
@@ -13,23 +15,25 @@ namespace parameters = CGAL::parameters;
 
 // Automatic number of segments.
 template <typename FaceGraph>
-Segmentation evident_protrusions(const FaceGraph& mesh, const Histogram_method& border = {})
+Segmentation evident_protrusions(const FaceGraph& mesh,
+                                 const Histogram_method& method = Histogram_method())
 {
-  return checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids, Geodesic_distance(), border);
-  });
+  return checked(mesh,
+                 [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, method); });
 }
 
-Segmentation landmark_segmentation(const Mesh& mesh, std::size_t k, unsigned int seed,
-                                   const Landmark_geodesic_distance& distance
-                                     = Landmark_geodesic_distance())
+Segmentation landmark_segmentation(
+  const Mesh& mesh,
+  std::size_t k,
+  unsigned int seed,
+  const Landmark_geodesic_distance& distance = Landmark_geodesic_distance())
 {
-  return checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, distance, Histogram_method(),
-                                                  parameters::random_seed(seed));
-  });
+  return checked(mesh,
+                 [&](auto ids)
+                 {
+                   return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, Histogram_method(distance),
+                                                                 parameters::random_seed(seed));
+                 });
 }
 
 // All arms are evident, and what it finds in them when it goes on ends somewhere.
@@ -48,15 +52,14 @@ void the_same_seed_gives_the_same_landmarks()
   CHECK_EQUAL(first.number, 5);
   CHECK(share_in_true_parts(star_soup(), first.labels) > 0.95);
   CHECK(landmark_segmentation(star_mesh(), 5, 7).labels == first.labels);
-  for(const double fraction : {0.01, 0.1})
-    CHECK_EQUAL(landmark_segmentation(star_mesh(), 5, 1, Landmark_geodesic_distance(fraction)).number,
-                5);
+  for (const double fraction : {0.01, 0.1})
+    CHECK_EQUAL(landmark_segmentation(star_mesh(), 5, 1, Landmark_geodesic_distance(fraction)).number, 5);
   // with few landmarks another seed gives another segmentation, sooner or later
   const auto two = Landmark_geodesic_distance::with_number_of_landmarks(2);
   bool differs = false;
-  for(unsigned int seed = 1; seed < 20; ++seed)
-    differs = differs || landmark_segmentation(star_mesh(), 5, seed, two).labels
-                           != landmark_segmentation(star_mesh(), 5, 0, two).labels;
+  for (unsigned int seed = 1; seed < 20; ++seed)
+    differs = differs || landmark_segmentation(star_mesh(), 5, seed, two).labels !=
+                           landmark_segmentation(star_mesh(), 5, 0, two).labels;
   CHECK(differs);
 }
 
@@ -65,12 +68,12 @@ void points_are_read_from_the_map()
   const Test_mesh& soup = star_soup();
   const Mesh flat = to_graph<Mesh>(scaled(soup, 1, 1, 0));
   std::vector<Kernel::Point_3> points;
-  for(const Point& p : soup.points)
+  for (const Point& p : soup.points)
     points.emplace_back(p[0], p[1], p[2]);
-  const auto map = boost::make_function_property_map<Mesh::Vertex_index>(
-    [&](Mesh::Vertex_index v) { return points[v]; });
-  CHECK(paper_segmentation(flat, 5, parameters::vertex_point_map(map)).labels
-        == paper_segmentation(star_mesh(), 5).labels);
+  const auto map = boost::make_function_property_map<Mesh::Vertex_index>([&](Mesh::Vertex_index v)
+                                                                         { return points[v]; });
+  CHECK(paper_segmentation(flat, 5, parameters::vertex_point_map(map)).labels ==
+        paper_segmentation(star_mesh(), 5).labels);
 }
 
 void borders_are_the_edges_between_segments()
@@ -81,7 +84,7 @@ void borders_are_the_edges_between_segments()
   const Segmentation found = paper_segmentation(mesh, 5, parameters::edge_is_constrained_map(map));
   CHECK_EQUAL(is_border.size(), num_edges(mesh));
   std::size_t number = 0;
-  for(const auto& item : is_border)
+  for (const auto& item : is_border)
   {
     const auto h = halfedge(item.first, mesh);
     CHECK_EQUAL(item.second, found.labels[face(h, mesh)] != found.labels[face(opposite(h, mesh), mesh)]);
@@ -95,20 +98,20 @@ void edges_with_one_face_are_no_borders()
 {
   const Mesh mesh = to_graph<Mesh>(sheet(4, 4));
   std::map<Mesh::Edge_index, bool> is_border;
-  paper_segmentation(mesh, 1, parameters::edge_is_constrained_map(
-                                boost::make_assoc_property_map(is_border)));
+  paper_segmentation(mesh, 1,
+                     parameters::edge_is_constrained_map(boost::make_assoc_property_map(is_border)));
   CHECK_EQUAL(is_border.size(), num_edges(mesh));
-  for(const auto& item : is_border)
+  for (const auto& item : is_border)
     CHECK(!item.second);
 }
 
 void every_component_is_a_segment_at_least()
 {
   const Test_mesh one = star_soup();
-  const Test_mesh soup =
-    merged({icosphere(2), translated(one, {8, 0, 0}), translated(sheet(3, 3), {0, 8, 0})});
+  const Test_mesh soup = merged(
+    {icosphere(2), translated(one, {8, 0, 0}), translated(sheet(3, 3), {0, 8, 0})});
   const Mesh mesh = to_graph<Mesh>(soup);
-  for(const std::size_t k : {1, 2, 3})
+  for (const std::size_t k : {1, 2, 3})
   {
     const Segmentation found = paper_segmentation(mesh, k);
     CHECK_EQUAL(found.number, 3);
@@ -125,10 +128,7 @@ void impossible_numbers_of_segments_are_refused()
   const Mesh mesh = to_graph<Mesh>(icosphere(1));
   Segment_ids<Mesh> ids(mesh);
   const auto segment = [&](std::size_t k)
-  {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Geodesic_distance(),
-                                                  Histogram_method());
-  };
+  { return CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Histogram_method()); };
   CHECK_THROWS_WITH(segment(0), std::invalid_argument, "number_of_segments is 0");
   CHECK_THROWS_WITH(segment(81), std::invalid_argument, "only 80 faces");
   CHECK(is_untouched({0, ids.labels()}));
@@ -139,7 +139,7 @@ void impossible_numbers_of_segments_are_refused()
 
 void impossible_options_are_refused()
 {
-  for(const double value : {0., -1., std::nan(""), HUGE_VAL})
+  for (const double value : {0., -1., std::nan(""), HUGE_VAL})
     CHECK_THROWS_WITH(Histogram_method().minimum_prominence(value), std::invalid_argument,
                       "minimum_prominence");
   CHECK_EQUAL(Histogram_method().minimum_prominence(0.5).minimum_prominence(), 0.5);
@@ -153,12 +153,15 @@ void options_decide_what_is_evident()
   CHECK(evident_protrusions(mesh).number > 1);
   CHECK(evident_protrusions(mesh, Histogram_method().uses_candidate_intervals(false)).number > 1);
   // however small or large it is, a number of segments that was asked for is tried for
-  for(const double prominence : {1e-3, 0.01, 5.})
-    CHECK_EQUAL(checked(mesh, [&](auto ids)
-    {
-      return CGAL::segmentation_via_protrusion_tips(
-        mesh, ids, 2, Geodesic_distance(), Histogram_method().minimum_prominence(prominence));
-    }).number, 2);
+  for (const double prominence : {1e-3, 0.01, 5.})
+    CHECK_EQUAL(checked(mesh,
+                        [&](auto ids)
+                        {
+                          return CGAL::segmentation_via_protrusion_tips(
+                            mesh, ids, 2, Histogram_method().minimum_prominence(prominence));
+                        })
+                  .number,
+                2);
 }
 
 int main()

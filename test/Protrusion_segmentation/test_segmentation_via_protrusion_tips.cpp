@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The paper's method, whole, on bodies whose parts are known, and what its result depends on.
@@ -27,7 +29,7 @@ void check_parts(const Test_mesh& mesh, double least_share)
 // thick, planes through the body that meet other arms mislead the histogram of diameters.)
 void the_arms_of_a_star_are_cut_off()
 {
-  for(const std::size_t arms : {3, 5})
+  for (const std::size_t arms : {3, 5})
     check_parts(star(arms, 2, 0.1, 0.04, 0.1), 0.97);
   check_parts(star(3, 1, 0.15, 0.04, 0.15), 0.97);
 }
@@ -44,9 +46,12 @@ void balls_are_cut_off_sticks()
 }
 
 // Numbers of the segments that they were cut from.
-struct Parents : Default_visitor
+struct Parents : Segmentation_visitor<Mesh>
 {
-  void protrusion_found(const Protrusion& protrusion) { parents.insert(protrusion.parent); }
+  void on_protrusion(const Protrusion<face_descriptor>& protrusion) override
+  {
+    parents.insert(protrusion.parent);
+  }
   std::set<std::size_t> parents;
 };
 
@@ -55,15 +60,15 @@ void protrusions_of_protrusions_are_cut_off()
   Parents visitor;
   const Segmentation found = paper_segmentation(to_graph<Mesh>(body_with_hands()), 12,
                                                 CGAL::parameters::visitor(std::ref(visitor)));
-  std::cout << found.number << " segments of a body with hands, cut from "
-            << visitor.parents.size() << " others\n";
+  std::cout << found.number << " segments of a body with hands, cut from " << visitor.parents.size()
+            << " others\n";
   CHECK(visitor.parents.size() > 1);
 }
 
 void a_smaller_number_of_segments_is_kept_to()
 {
   const Test_mesh mesh = star(5, 1, 0.15, 0.04, 0.2);
-  for(std::size_t k = 1; k <= 6; ++k)
+  for (std::size_t k = 1; k <= 6; ++k)
     CHECK_EQUAL(paper_segmentation(mesh, k).number, k);
 }
 
@@ -82,27 +87,28 @@ const std::vector<Test_mesh>& bodies()
 
 void scaling_by_powers_of_two_changes_nothing()
 {
-  for(const Test_mesh& mesh : bodies())
-    for(const double factor : {std::ldexp(1., -900), 0.5, 4., std::ldexp(1., 900)})
+  for (const Test_mesh& mesh : bodies())
+    for (const double factor : {std::ldexp(1., -900), 0.5, 4., std::ldexp(1., 900)})
       CHECK(labels_of(scaled(mesh, factor)) == labels_of(mesh));
 }
 
 // 90 degrees about an axis: coordinates change places and signs, but no digit.
 Test_mesh with_turned_axes(const Test_mesh& mesh, std::size_t turns)
 {
-  return transformed(mesh, [turns](const Point& p)
-  {
-    const Point shifted = {p[turns % 3], p[(turns + 1) % 3], p[(turns + 2) % 3]};
-    return turns < 3 ? shifted : Point{-shifted[1], shifted[0], shifted[2]};
-  });
+  return transformed(mesh,
+                     [turns](const Point& p)
+                     {
+                       const Point shifted = {p[turns % 3], p[(turns + 1) % 3], p[(turns + 2) % 3]};
+                       return turns < 3 ? shifted : Point{-shifted[1], shifted[0], shifted[2]};
+                     });
 }
 
 void motions_give_the_same_partition()
 {
-  for(const Test_mesh& mesh : bodies())
+  for (const Test_mesh& mesh : bodies())
   {
     const Labels expected = as_partition(labels_of(mesh));
-    for(std::size_t turns = 1; turns < 6; ++turns)
+    for (std::size_t turns = 1; turns < 6; ++turns)
       CHECK(as_partition(labels_of(with_turned_axes(mesh, turns))) == expected);
     CHECK(as_partition(labels_of(rotated(mesh, {1, 2, 3}, 1))) == expected);
     CHECK(as_partition(labels_of(rotated(mesh, {-2, 1, 0.5}, 2.5))) == expected);
@@ -113,7 +119,7 @@ void motions_give_the_same_partition()
 
 void the_orientation_does_not_matter()
 {
-  for(const Test_mesh& mesh : bodies())
+  for (const Test_mesh& mesh : bodies())
     CHECK(as_partition(labels_of(with_reversed_orientation(mesh))) == as_partition(labels_of(mesh)));
 }
 
@@ -123,15 +129,15 @@ void the_order_of_the_faces_does_not_matter()
   std::vector<Test_mesh> meshes = bodies();
   meshes.push_back(icosphere(3));
   meshes.push_back(merged({translated(star(6), {9, 0, 0}), star(6), translated(star(6), {-9, 0, 0})}));
-  for(const Test_mesh& mesh : meshes)
+  for (const Test_mesh& mesh : meshes)
   {
     const Labels expected = labels_of(mesh);
-    for(std::uint_fast32_t seed = 0; seed < 3; ++seed)
+    for (std::uint_fast32_t seed = 0; seed < 3; ++seed)
     {
       const std::vector<std::size_t> order = random_permutation(mesh.faces.size(), seed);
       const Labels found = labels_of(with_face_order(mesh, order));
       Labels in_old_order(found.size());
-      for(std::size_t f = 0; f < found.size(); ++f)
+      for (std::size_t f = 0; f < found.size(); ++f)
         in_old_order[order[f]] = found[f];
       CHECK(in_old_order == expected);
     }
@@ -140,7 +146,7 @@ void the_order_of_the_faces_does_not_matter()
 
 void repeated_calls_give_the_same_labels()
 {
-  for(const Test_mesh& mesh : bodies())
+  for (const Test_mesh& mesh : bodies())
     CHECK(labels_of(mesh) == labels_of(mesh));
 }
 

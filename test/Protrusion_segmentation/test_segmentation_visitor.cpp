@@ -1,7 +1,10 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What a visitor is told, and how it stops the method.
 
+#include "recorder.h"
 #include "segmentations.h"
 #include "star_mesh.h"
 
@@ -9,53 +12,21 @@ using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 namespace parameters = CGAL::parameters;
 
-struct Recorder : Default_visitor
-{
-  void stage_starts(Stage stage)
-  {
-    open.push_back(stage);
-    ++stages[stage];
-  }
-  void stage_ends(Stage stage)
-  {
-    CHECK(!open.empty() && open.back() == stage);
-    open.pop_back();
-  }
-  void progress(double share)
-  {
-    CHECK(share >= 0 && share <= 1);
-    shares.push_back(share);
-  }
-  bool go_further() { return ++questions != stop_at; }
-  void tip_found(std::size_t face) { tips.insert(face); }
-  void protrusion_found(const Protrusion& protrusion) { protrusions.push_back(protrusion); }
-  void distances_computed(std::size_t number_of_runs) { runs += number_of_runs; }
-
-  std::vector<Stage> open;
-  std::map<Stage, int> stages;
-  std::vector<double> shares;
-  std::size_t questions = 0, stop_at = 0, runs = 0;
-  std::set<std::size_t> tips;
-  std::vector<Protrusion> protrusions;
-};
+using Mesh_recorder = Recorder<Mesh>;
 
 void a_visitor_is_told_what_is_found()
 {
   const double factor = 3; // lengths and areas are in the unit of the mesh
   const Test_mesh soup = scaled(star_soup(), factor);
-  Recorder recorder;
-  const Segmentation found =
-    paper_segmentation(to_graph<Mesh>(soup), 5, parameters::visitor(std::ref(recorder)));
+  Mesh_recorder recorder;
+  const Segmentation found = paper_segmentation(to_graph<Mesh>(soup), 5,
+                                                parameters::visitor(std::ref(recorder)));
 
-  CHECK(recorder.open.empty());
-  for(const Stage stage : {Stage::READING, Stage::TIPS, Stage::BORDERS, Stage::LABELS})
-    CHECK(recorder.stages[stage] > 0);
-  CHECK(std::is_sorted(recorder.shares.begin(), recorder.shares.end()));
-  CHECK_EQUAL(recorder.shares.back(), 1);
+  check_stages_and_progress(recorder);
   CHECK(recorder.runs > 4 && recorder.runs < 200);
 
   CHECK_EQUAL(recorder.protrusions.size(), 4);
-  for(const Protrusion& protrusion : recorder.protrusions)
+  for (const auto& protrusion : recorder.protrusions)
   {
     CHECK(protrusion.parent < protrusion.segment && protrusion.segment < found.number);
     CHECK_EQUAL(found.labels[protrusion.tip], protrusion.segment);
@@ -65,10 +36,10 @@ void a_visitor_is_told_what_is_found()
     const double girth = 2 * pi * 0.15 * factor;
     CHECK(protrusion.border_length > girth && protrusion.border_length < 2 * girth);
     double area = 0;
-    for(std::size_t f = 0; f < found.labels.size(); ++f)
+    for (std::size_t f = 0; f < found.labels.size(); ++f)
       area += found.labels[f] == protrusion.segment ? face_area(soup, soup.faces[f]) : 0;
     CHECK_CLOSE(protrusion.area, area, 1e-9 * area);
-    CHECK(protrusion.score >= 0.3);
+    CHECK(protrusion.value >= 0.3);
     CHECK(protrusion.border_slot < 100);
     CHECK_EQUAL(protrusion.distance_histogram.size(), 100);
     CHECK(std::accumulate(protrusion.distance_histogram.begin(), protrusion.distance_histogram.end(),
@@ -81,26 +52,34 @@ void a_visitor_is_told_what_is_found()
 
 void visitors_are_copied_unless_passed_by_reference()
 {
-  Recorder recorder;
+  Mesh_recorder recorder;
   paper_segmentation(star_mesh(), 2, parameters::visitor(recorder));
   CHECK(recorder.stages.empty());
   paper_segmentation(star_mesh(), 2, parameters::visitor(std::ref(recorder)));
   CHECK(!recorder.stages.empty());
 }
 
-void a_visitor_stops_the_method_at_every_question()
+// Every question, or a hundred of them if there are more.
+template <typename Method>
+void a_visitor_stops_the_method_at_every_question(const Method& method)
 {
-  Recorder all;
-  paper_segmentation(star_mesh(), 5, parameters::visitor(std::ref(all)));
+  Mesh_recorder all;
+  Segment_ids<Mesh> ids(star_mesh());
+  CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), 5, method,
+                                         parameters::visitor(std::ref(all)));
+  check_stages_and_progress(all);
   CHECK(all.questions > 5);
-  for(std::size_t question = 1; question <= all.questions; ++question)
+  const std::size_t step = 1 + all.questions / 100;
+  for (std::size_t question = 1; question <= all.questions; question += step)
   {
-    Recorder recorder;
+    Mesh_recorder recorder;
     recorder.stop_at = question;
     std::map<Mesh::Edge_index, bool> is_border;
-    const Segmentation found = paper_segmentation(
-      star_mesh(), 5, parameters::visitor(std::ref(recorder))
-                        .edge_is_constrained_map(boost::make_assoc_property_map(is_border)));
+    const auto np = parameters::visitor(std::ref(recorder))
+                      .edge_is_constrained_map(boost::make_assoc_property_map(is_border));
+    const Segmentation found = checked(
+      star_mesh(),
+      [&](auto map) { return CGAL::segmentation_via_protrusion_tips(star_mesh(), map, 5, method, np); });
     CHECK_EQUAL(found.number, 0); // and `checked()` sees that nothing was written
     CHECK(is_border.empty());
     CHECK_EQUAL(recorder.questions, question);
@@ -108,49 +87,89 @@ void a_visitor_stops_the_method_at_every_question()
   }
 }
 
-// Throws in the function of the given number, and then at the end of every stage that is left for it.
-struct Failing_visitor
+void a_visitor_stops_the_other_functions()
 {
-  enum Function { STARTS, ENDS, PROGRESS, GO_FURTHER, TIP, PROTRUSION, DISTANCES, NUMBER_OF_FUNCTIONS };
+  Mesh_recorder recorder;
+  recorder.stop_at = 3;
+  CHECK_EQUAL(CGAL::protrusion_hierarchy(star_mesh(), 5, parameters::visitor(std::ref(recorder)))
+                .maximum_number_of_segments(),
+              0);
+  recorder.questions = 0;
+  std::vector<Mesh::Face_index> tips;
+  CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips),
+                        parameters::visitor(std::ref(recorder)));
+  CHECK(tips.empty());
+  CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips));
+  recorder.questions = 0;
+  const Segmentation found = checked(star_mesh(),
+                                     [&](auto ids)
+                                     {
+                                       return CGAL::segmentation_from_protrusion_tips(
+                                         star_mesh(), tips, ids, parameters::visitor(std::ref(recorder)));
+                                     });
+  CHECK_EQUAL(found.number, 0);
+}
 
-  void fail(int function)
+// Throws in the function of the given number, and then at the end of every stage that is left for it.
+class Failing_visitor : public Segmentation_visitor<Mesh>
+{
+public:
+  enum Function
   {
-    if(function == failing)
-      throw std::runtime_error("the visitor's own");
-  }
+    BEGIN,
+    END,
+    PROGRESS,
+    GO_FURTHER,
+    TIP,
+    PROTRUSION,
+    DISTANCES,
+    NUMBER_OF_FUNCTIONS
+  };
 
-  void stage_starts(Stage) { fail(STARTS); }
-  void stage_ends(Stage)
-  {
-    fail(ENDS);
-    if(std::uncaught_exceptions() > 0)
-      throw std::runtime_error("a second one");
-  }
-  void progress(double) { fail(PROGRESS); }
-  bool go_further()
+  explicit Failing_visitor(int failing) : m_failing(failing) {}
+
+  void on_reading_begin() override { fail(BEGIN); }
+  void on_reading_end() override { end(); }
+  void on_preparation_end() override { end(); }
+  void on_tips_end() override { end(); }
+  void on_borders_end() override { end(); }
+  void on_labels_end() override { end(); }
+  void on_progress(double) override { fail(PROGRESS); }
+  bool go_further() override
   {
     fail(GO_FURTHER);
     return true;
   }
-  void tip_found(std::size_t) { fail(TIP); }
-  void tip_eliminated(std::size_t) {}
-  void protrusion_found(const Protrusion&) { fail(PROTRUSION); }
-  void distances_computed(std::size_t) { fail(DISTANCES); }
+  void on_tip(face_descriptor) override { fail(TIP); }
+  void on_protrusion(const Protrusion<face_descriptor>&) override { fail(PROTRUSION); }
+  void on_distances(std::size_t) override { fail(DISTANCES); }
 
-  int failing;
+private:
+  void fail(int function)
+  {
+    if (function == m_failing)
+      throw std::runtime_error("the visitor's own");
+  }
+  void end()
+  {
+    fail(END);
+    if (std::uncaught_exceptions() > 0)
+      throw std::runtime_error("a second one");
+  }
+
+  int m_failing;
 };
 
-template <typename Border>
-void exceptions_of_a_visitor_get_through(const Border& border)
+template <typename Method>
+void exceptions_of_a_visitor_get_through(const Method& method)
 {
-  for(int function = 0; function < Failing_visitor::NUMBER_OF_FUNCTIONS; ++function)
+  for (int function = 0; function < Failing_visitor::NUMBER_OF_FUNCTIONS; ++function)
   {
     Segment_ids<Mesh> ids(star_mesh());
     std::map<Mesh::Edge_index, bool> is_border;
-    CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(
-                        star_mesh(), ids.map(), 5, Geodesic_distance(), border,
-                        parameters::visitor(Failing_visitor{function})
-                          .edge_is_constrained_map(boost::make_assoc_property_map(is_border))),
+    const auto np = parameters::visitor(Failing_visitor(function))
+                      .edge_is_constrained_map(boost::make_assoc_property_map(is_border));
+    CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), 5, method, np),
                       std::runtime_error, "the visitor's own");
     CHECK(is_untouched({0, ids.labels()}));
     CHECK(is_border.empty());
@@ -161,8 +180,12 @@ int main()
 {
   a_visitor_is_told_what_is_found();
   visitors_are_copied_unless_passed_by_reference();
-  a_visitor_stops_the_method_at_every_question();
+  a_visitor_stops_the_method_at_every_question(Histogram_method());
+  a_visitor_stops_the_method_at_every_question(Minimum_cut_method());
+  a_visitor_stops_the_method_at_every_question(Minimum_cut_method(Geodesic_distance()));
+  a_visitor_stops_the_other_functions();
   exceptions_of_a_visitor_get_through(Histogram_method());
   exceptions_of_a_visitor_get_through(Minimum_cut_method());
+  exceptions_of_a_visitor_get_through(Minimum_cut_method(Geodesic_distance()));
   return check::result();
 }

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Protrusion tips (Section III.C) are the faces of eq. (1) and eq. (2).
@@ -13,31 +15,36 @@ using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 using internal::Tip_selection;
 
+std::unique_ptr<internal::Distances_on_surface> distances_on(const Indexed_surface& surface)
+{
+  return internal::Any_distance(Geodesic_distance()).on(surface, quiet_execution());
+}
+
 const auto all_plausible = [](Index) { return true; };
 const auto no_visit = [](Index, const std::vector<double>&) {};
 
-Tip_selection tips_of(const Indexed_surface& part, std::size_t count)
+Tip_selection tips_of(const Indexed_surface& surface, std::size_t count)
 {
-  auto distances = Geodesic_distance().on(part, 0);
-  return internal::select_protrusion_tips(part, distances, count, all_plausible, no_visit);
+  const auto distances = distances_on(surface);
+  return internal::select_protrusion_tips(surface, *distances, count, all_plausible, no_visit);
 }
 
 // Each tip reaches the maximum of its equation, in the distances of all pairs.
-void check_equations(const Indexed_surface& part, std::size_t count)
+void check_equations(const Indexed_surface& surface, std::size_t count)
 {
-  const auto d = all_pairs_distances(part);
-  const Tip_selection selection = tips_of(part, count);
+  const auto d = all_pairs_distances(surface);
+  const Tip_selection selection = tips_of(surface, count);
   CHECK_EQUAL(selection.tips.size(), count);
   CHECK_EQUAL(selection.number_of_eliminated, 0);
 
   std::vector<double> value; // of every face, in the equation that selects the next tip
-  for(const std::vector<double>& row : d)
+  for (const std::vector<double>& row : d)
     value.push_back(internal::distance_sum(row));
   bool first = true;
-  for(const Index tip : selection.tips)
+  for (const Index tip : selection.tips)
   {
     CHECK(value[tip] >= *std::max_element(value.begin(), value.end()) * (1 - 1e-12));
-    for(std::size_t f = 0; f < value.size(); ++f)
+    for (std::size_t f = 0; f < value.size(); ++f)
       value[f] = first ? d[tip][f] : std::min(value[f], d[tip][f]);
     first = false;
   }
@@ -45,20 +52,20 @@ void check_equations(const Indexed_surface& part, std::size_t count)
 
 void tips_maximize_both_equations()
 {
-  for(std::uint_fast32_t seed = 0; seed < 60; ++seed)
-    check_equations(to_surface_part(random_surface(seed)), 1 + seed % 12);
-  check_equations(to_surface_part(icosahedron()), 20);
-  check_equations(to_surface_part(sheet(5, 4)), 20);
+  for (std::uint_fast32_t seed = 0; seed < 60; ++seed)
+    check_equations(to_surface(random_surface(seed)), 1 + seed % 12);
+  check_equations(to_surface(icosahedron()), 20);
+  check_equations(to_surface(sheet(5, 4)), 20);
 }
 
 void tips_of_a_star_are_at_the_ends_of_its_arms()
 {
-  for(const std::size_t arms : {3, 6, 9})
+  for (const std::size_t arms : {3, 6, 9})
   {
     const Test_mesh mesh = star(arms);
-    const Indexed_surface part = to_surface_part(mesh);
+    const Indexed_surface surface = to_surface(mesh);
     std::set<std::size_t> parts;
-    for(const Index tip : tips_of(part, arms).tips)
+    for (const Index tip : tips_of(surface, arms).tips)
     {
       const std::size_t arm = mesh.parts[tip];
       parts.insert(arm);
@@ -73,74 +80,74 @@ void tips_of_a_star_are_at_the_ends_of_its_arms()
 
 void selection_ends_where_no_face_is_left()
 {
-  CHECK_EQUAL(tips_of(to_surface_part(single_triangle()), 5).tips.size(), 1);
-  CHECK_EQUAL(tips_of(to_surface_part(tetrahedron()), 9).tips.size(), 4);
-  CHECK_EQUAL(tips_of(to_surface_part(scaled(tetrahedron(), 0)), 4).tips.size(), 1);
-  CHECK_EQUAL(tips_of(to_surface_part(tetrahedron()), 0).tips.size(), 0);
+  CHECK_EQUAL(tips_of(to_surface(single_triangle()), 5).tips.size(), 1);
+  CHECK_EQUAL(tips_of(to_surface(tetrahedron()), 9).tips.size(), 4);
+  CHECK_EQUAL(tips_of(to_surface(scaled(tetrahedron(), 0)), 4).tips.size(), 1);
+  CHECK_EQUAL(tips_of(to_surface(tetrahedron()), 0).tips.size(), 0);
 }
 
 void implausible_tips_are_eliminated_and_counted()
 {
-  const Indexed_surface part = to_surface_part(bumpy_sphere(3, 4));
-  const std::vector<Index> all = tips_of(part, 7).tips;
+  const Indexed_surface surface = to_surface(bumpy_sphere(3, 4));
+  const std::vector<Index> all = tips_of(surface, 7).tips;
   const auto is_plausible = [&](Index face)
-  {
-    return (std::find(all.begin(), all.end(), face) - all.begin()) % 2 == 0;
-  };
+  { return (std::find(all.begin(), all.end(), face) - all.begin()) % 2 == 0; };
   std::vector<Index> visited;
   const auto visit = [&](Index face, const std::vector<double>&) { visited.push_back(face); };
-  auto distances = Geodesic_distance().on(part, 0);
-  const Tip_selection selection =
-    internal::select_protrusion_tips(part, distances, 4, is_plausible, visit);
+  const auto distances = distances_on(surface);
+  const Tip_selection selection = internal::select_protrusion_tips(surface, *distances, 4, is_plausible,
+                                                                   visit);
   CHECK(visited == all); // an eliminated face still keeps the next ones away
   CHECK(selection.tips == (std::vector<Index>{all[0], all[2], all[4], all[6]}));
   CHECK_EQUAL(selection.number_of_eliminated, 3);
 
   const Tip_selection none = internal::select_protrusion_tips(
-    part, distances, 4, [](Index) { return false; }, no_visit);
+    surface, *distances, 4, [](Index) { return false; }, no_visit);
   CHECK(none.tips.empty());
   CHECK_EQUAL(none.number_of_eliminated, 4);
 }
 
 void each_tip_is_visited_with_its_distances()
 {
-  const Indexed_surface part = to_surface_part(bumpy_sphere(3, 5));
-  auto distances = Geodesic_distance().on(part, 0);
-  distances.face_of_largest_sum();
-  const std::size_t runs_of_search = distances.number_of_runs();
+  const Indexed_surface surface = to_surface(bumpy_sphere(3, 5));
+  const auto distances = distances_on(surface);
+  distances->face_of_largest_sum();
+  const std::size_t runs_of_search = distances->number_of_runs();
   std::vector<Index> visited;
   const auto visit = [&](Index tip, const std::vector<double>& from_tip)
   {
     visited.push_back(tip);
-    CHECK_EQUAL(from_tip.size(), part.number_of_faces());
+    CHECK_EQUAL(from_tip.size(), surface.number_of_faces());
     CHECK_EQUAL(from_tip[tip], 0);
   };
-  const Tip_selection selection =
-    internal::select_protrusion_tips(part, distances, 5, all_plausible, visit);
+  const Tip_selection selection = internal::select_protrusion_tips(surface, *distances, 5, all_plausible,
+                                                                   visit);
   CHECK(visited == selection.tips);
-  CHECK_EQUAL(distances.number_of_runs(), 2 * runs_of_search + 5); // one run a tip after eq. (1)
+  CHECK_EQUAL(distances->number_of_runs(), 2 * runs_of_search + 5); // one run a tip after eq. (1)
 }
 
 // A distance that has no way of its own to the face of eq. (1).
-struct Plain_distances
+struct Plain_distance
 {
-  void operator()(Index source, std::vector<double>& distances)
+  struct On_surface
   {
-    shortest(source, distances);
-    ++runs;
+    void operator()(Index source, std::vector<double>& distances) { shortest(source, distances); }
+    internal::Shortest_distances shortest;
+  };
+  On_surface on(const Indexed_surface& surface, Execution&) const
+  {
+    return {internal::Shortest_distances(surface)};
   }
-  internal::Shortest_distances shortest;
-  std::size_t runs = 0;
 };
 
 void distances_without_a_search_take_all_pairs()
 {
-  const Indexed_surface part = to_surface_part(random_surface(11));
-  Plain_distances plain = {internal::Shortest_distances(part)};
-  const Tip_selection selection =
-    internal::select_protrusion_tips(part, plain, 3, all_plausible, no_visit);
-  CHECK(selection.tips == tips_of(part, 3).tips);
-  CHECK_EQUAL(plain.runs, part.number_of_faces() + 3);
+  const Indexed_surface surface = to_surface(random_surface(11));
+  const auto plain = internal::Any_distance(Plain_distance()).on(surface, quiet_execution());
+  const Tip_selection selection = internal::select_protrusion_tips(surface, *plain, 3, all_plausible,
+                                                                   no_visit);
+  CHECK(selection.tips == tips_of(surface, 3).tips);
+  CHECK_EQUAL(plain->number_of_runs(), surface.number_of_faces() + 3);
 }
 
 int main()

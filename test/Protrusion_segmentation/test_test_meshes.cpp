@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The test meshes are what their descriptions say: the other tests rely on them.
@@ -27,13 +29,13 @@ void check_graph(const Test_mesh& mesh)
   const auto parts = part_of_face_map(mesh, graph);
   const auto points = get(CGAL::vertex_point, graph);
   std::size_t f = 0;
-  for(auto face : faces(graph))
+  for (auto face : faces(graph))
   {
     CHECK_EQUAL(parts.at(face), mesh.parts[f]);
     std::set<Point> in_graph, in_mesh;
-    for(auto v : CGAL::vertices_around_face(halfedge(face, graph), graph))
+    for (auto v : CGAL::vertices_around_face(halfedge(face, graph), graph))
       in_graph.insert({get(points, v).x(), get(points, v).y(), get(points, v).z()});
-    for(std::size_t v : mesh.faces[f])
+    for (std::size_t v : mesh.faces[f])
       in_mesh.insert(mesh.points[v]);
     CHECK(in_graph == in_mesh);
     ++f;
@@ -46,7 +48,7 @@ void check_mesh(const Test_mesh& mesh, std::size_t faces, std::size_t parts)
   CHECK_EQUAL(mesh.parts.size(), faces);
   CHECK_EQUAL(number_of_parts(mesh), parts);
   CHECK_EQUAL(number_of_pieces(mesh, mesh.parts), parts);
-  for(const Face& face : mesh.faces)
+  for (const Face& face : mesh.faces)
     CHECK(face_area(mesh, face) > 0);
   check_graph<Surface_mesh>(mesh);
   check_graph<Polyhedron>(mesh);
@@ -72,7 +74,7 @@ void polyhedra_have_their_analytic_areas_and_volumes()
   check_closed(brick, 52, 6);
   CHECK_CLOSE(volume(brick), 24, 1e-12);
   const std::array<double, 3> side_areas = {6, 8, 12};
-  for(std::size_t part = 0; part < 6; ++part)
+  for (std::size_t part = 0; part < 6; ++part)
     CHECK_CLOSE(area_of_part(brick, part), side_areas[part / 2], 1e-12);
 
   const Test_mesh plate = pierced_plate(2, 1);
@@ -94,9 +96,9 @@ void spheres_are_round()
   check_closed(dodecahedron(), 12, 1);
   check_closed(icosphere(2), 320, 1);
   CHECK_CLOSE(area(icosphere(4)), 4 * pi, 0.02);
-  for(const Point& p : icosphere(2).points)
+  for (const Point& p : icosphere(2).points)
     CHECK_CLOSE(length(p), 1, 1e-12);
-  for(const Face& face : dodecahedron().faces)
+  for (const Face& face : dodecahedron().faces)
     CHECK_EQUAL(face.size(), 5);
 
   const Test_mesh ball = football();
@@ -159,10 +161,10 @@ void balls_on_bars_have_their_analytic_parts()
 // The smallest height of a triangle over its longest edge, at least `bound` everywhere.
 void check_no_slivers(const Test_mesh& mesh, double bound)
 {
-  for(const Face& face : mesh.faces)
+  for (const Face& face : mesh.faces)
   {
     double longest = 0;
-    for(std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
       longest = std::max(longest, length(mesh.points[face[i]] - mesh.points[face[(i + 1) % 3]]));
     CHECK(2 * face_area(mesh, face) > bound * longest * longest);
   }
@@ -170,17 +172,17 @@ void check_no_slivers(const Test_mesh& mesh, double bound)
 
 void bodies_have_connected_parts_of_about_analytic_area()
 {
-  for(std::size_t arms = 0; arms <= 8; ++arms)
+  for (std::size_t arms = 0; arms <= 8; ++arms)
   {
     const Test_mesh mesh = star(arms);
     check_closed(mesh, mesh.faces.size(), arms + 1);
     check_no_slivers(mesh, 0.15);
-    for(std::size_t i = 0; i < arms; ++i) // a stick with half a ball: 2 pi r * length
+    for (std::size_t i = 0; i < arms; ++i) // a stick with half a ball: 2 pi r * length
       CHECK_CLOSE(area_of_part(mesh, i + 1) / (2 * pi * 0.25 * 2 * (1 + double(i) * 0.04)), 1, 0.1);
   }
   check_closed(creature(), creature().faces.size(), 6);
   check_no_slivers(creature(), 0.15);
-  for(std::size_t fingers : {1, 3, 4})
+  for (std::size_t fingers : {1, 3, 4})
   {
     const Test_mesh mesh = body_with_hands(fingers);
     check_closed(mesh, mesh.faces.size(), 1 + 2 * (1 + fingers));
@@ -191,7 +193,7 @@ void bodies_have_connected_parts_of_about_analytic_area()
 void random_surfaces_are_connected_and_repeatable()
 {
   std::set<long> characteristics;
-  for(unsigned seed = 0; seed < 40; ++seed)
+  for (unsigned seed = 0; seed < 40; ++seed)
   {
     const Test_mesh mesh = random_surface(seed);
     check_mesh(mesh, mesh.faces.size(), 1);
@@ -215,7 +217,7 @@ void transformations_keep_parts_and_measures()
   const Test_mesh permuted = with_face_order(mesh, random_permutation(mesh.faces.size(), 1));
   check_closed(permuted, mesh.faces.size(), 4);
   CHECK(permuted.faces != mesh.faces);
-  for(std::size_t part = 0; part < 4; ++part)
+  for (std::size_t part = 0; part < 4; ++part)
     CHECK_CLOSE(area_of_part(permuted, part), area_of_part(mesh, part), 1e-9);
 
   CHECK_CLOSE(volume(with_reversed_orientation(mesh)), -volume(mesh), 1e-12);

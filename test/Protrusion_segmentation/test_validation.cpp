@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The checks that the other tests and the benchmarks rely on find what they are for.
@@ -24,7 +26,7 @@ std::string problem(const FaceGraph& mesh, const std::vector<int>& labels, std::
 {
   std::map<typename boost::graph_traits<FaceGraph>::face_descriptor, int> ids;
   std::size_t i = 0;
-  for(const auto f : faces(mesh))
+  for (const auto f : faces(mesh))
     ids[f] = labels.at(i++);
   return problem_with_segmentation(mesh, boost::make_assoc_property_map(ids), number).value_or("");
 }
@@ -50,8 +52,8 @@ void finds_each_problem()
 
 void components_cannot_share_a_segment()
 {
-  const auto mesh =
-    to_graph<Surface_mesh>(merged({single_triangle(), translated(single_triangle(), {2, 0, 0})}));
+  const auto mesh = to_graph<Surface_mesh>(
+    merged({single_triangle(), translated(single_triangle(), {2, 0, 0})}));
   CHECK_EQUAL(problem(mesh, {0, 1}, 2), "");
   CHECK_EQUAL(problem(mesh, {0, 0}, 1),
               "segment 0 is not connected: faces 0 and 1 are in different pieces");

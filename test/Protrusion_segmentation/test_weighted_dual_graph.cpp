@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The weights of seams (what minimum cuts are made of) and the coarse graph.
@@ -17,13 +19,19 @@ using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 using internal::Weighted_dual_graph;
 
+Weighted_dual_graph weighted_dual_graph(const Indexed_surface& surface)
+{
+  return internal::make_weighted_dual_graph(surface, internal::default_cut_policy(), quiet_execution());
+}
+
 void smoothed_normals_of_a_sphere_point_outward()
 {
-  const Indexed_surface part = to_surface_part(jittered(icosphere(4), 0.005, 1));
-  const auto normals = internal::smooth_normals(part, 0.03 * std::sqrt(part.area()));
-  for(Index f = 0; f < part.number_of_faces(); ++f)
+  const Indexed_surface surface = to_surface(jittered(icosphere(4), 0.005, 1));
+  const auto normals = internal::smooth_normals(surface, 0.03 * std::sqrt(surface.area()),
+                                                quiet_execution());
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
-    const Indexed_surface::Vector_3 radius = part.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
+    const Indexed_surface::Vector_3 radius = surface.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
     CHECK_CLOSE(normals[f].squared_length(), 1, 1e-12);
     CHECK(normals[f] * radius > 0.98 * std::sqrt(radius.squared_length()));
   }
@@ -33,31 +41,31 @@ void smoothed_normals_of_a_sphere_point_outward()
 // the last one is solved at once, know nothing of each other.
 void diffusion_keeps_the_mean()
 {
-  const Indexed_surface part = to_surface_part(random_surface(7));
-  internal::Diffusion::Values values(part.number_of_faces());
-  for(Index f = 0; f < values.size(); ++f)
+  const Indexed_surface surface = to_surface(random_surface(7));
+  internal::Diffusion::Values values(surface.number_of_faces());
+  for (Index f = 0; f < values.size(); ++f)
     values[f] = {double(f % 3), double(f % 5) / 2, 0.5};
   internal::Diffusion::Values first_only(values.size());
-  for(Index f = 0; f < values.size(); ++f)
+  for (Index f = 0; f < values.size(); ++f)
     first_only[f] = {values[f][0], 0, 0};
   const internal::Diffusion::Values start = values;
-  internal::Diffusion diffuse(part, 0.01 * part.area());
-  diffuse(values);
-  diffuse(first_only);
+  internal::Diffusion diffuse(surface, 0.01 * surface.area());
+  diffuse(values, quiet_execution());
+  diffuse(first_only, quiet_execution());
   std::array<double, 3> before = {0, 0, 0}, after = {0, 0, 0};
-  for(Index f = 0; f < values.size(); ++f)
+  for (Index f = 0; f < values.size(); ++f)
   {
     CHECK_EQUAL(values[f][0], first_only[f][0]);
     CHECK_EQUAL(first_only[f][1], 0);
     CHECK_CLOSE(values[f][2], 0.5, 1e-12);
-    for(int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i)
     {
-      before[i] += part.area(f) * start[f][i];
-      after[i] += part.area(f) * values[f][i];
+      before[i] += surface.area(f) * start[f][i];
+      after[i] += surface.area(f) * values[f][i];
       CHECK(values[f][i] > -0.01 && values[f][i] < 2.01);
     }
   }
-  for(int i = 0; i < 3; ++i)
+  for (int i = 0; i < 3; ++i)
     CHECK_CLOSE(after[i], before[i], 1e-2 * before[i]);
 }
 
@@ -65,8 +73,8 @@ void diffusion_keeps_the_mean()
 void check_symmetry(const Weighted_dual_graph& graph)
 {
   std::map<std::pair<Index, Index>, std::array<double, 3>> weights;
-  for(Index i = 0; i < graph.number_of_nodes(); ++i)
-    for(const Index arc : graph.arcs(i))
+  for (Index i = 0; i < graph.number_of_nodes(); ++i)
+    for (const Index arc : graph.arcs(i))
     {
       std::array<double, 3>& sum = weights[{i, graph.target[arc]}];
       sum[0] += graph.capacity[arc];
@@ -76,12 +84,12 @@ void check_symmetry(const Weighted_dual_graph& graph)
       CHECK(graph.seam_length(arc) >= graph.length[arc]);
       CHECK(graph.concave_border_length[arc] <= graph.border_length[arc] * (1 + 1e-6));
     }
-  for(const auto& [arc, sum] : weights)
+  for (const auto& [arc, sum] : weights)
   {
     const auto opposite = weights.find({arc.second, arc.first});
     CHECK(opposite != weights.end());
-    if(opposite != weights.end())
-      for(int i = 0; i < 3; ++i)
+    if (opposite != weights.end())
+      for (int i = 0; i < 3; ++i)
         CHECK_CLOSE(opposite->second[i], sum[i], 1e-6);
   }
 }
@@ -89,7 +97,7 @@ void check_symmetry(const Weighted_dual_graph& graph)
 double sum(const std::vector<float>& values)
 {
   double result = 0;
-  for(const float value : values)
+  for (const float value : values)
     result += value;
   return result;
 }
@@ -98,14 +106,14 @@ double sum(const std::vector<float>& values)
 void seams_lie_where_parts_meet()
 {
   const Test_mesh mesh = star(5);
-  const Indexed_surface part = to_surface_part(mesh);
-  const Indexed_surface reversed = to_surface_part(with_reversed_orientation(mesh));
-  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(part);
+  const Indexed_surface surface = to_surface(mesh);
+  const Indexed_surface reversed = to_surface(with_reversed_orientation(mesh));
+  const Weighted_dual_graph graph = weighted_dual_graph(surface);
   check_symmetry(graph);
   double between = 0, inside = 0;
   std::size_t count_between = 0, count_inside = 0;
-  for(Index f = 0; f < part.number_of_faces(); ++f)
-    for(const Index arc : graph.arcs(f))
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    for (const Index arc : graph.arcs(f))
     {
       const bool same = mesh.parts[f] == mesh.parts[graph.target[arc]];
       (same ? inside : between) += graph.capacity[arc] / graph.border_length[arc];
@@ -114,53 +122,53 @@ void seams_lie_where_parts_meet()
   CHECK(count_between > 0);
   CHECK(between / double(count_between) < 0.7 * inside / double(count_inside));
   // what is inside is found out from the volume: an inward orientation gives the same weights
-  CHECK_CLOSE(sum(internal::make_weighted_dual_graph(reversed).capacity), sum(graph.capacity), 1e-3);
+  CHECK_CLOSE(sum(weighted_dual_graph(reversed).capacity), sum(graph.capacity), 1e-3);
 }
 
 void weights_do_not_depend_on_scale()
 {
-  const Weighted_dual_graph small = internal::make_weighted_dual_graph(to_surface_part(scaled(star(3), 0.5)));
-  const Weighted_dual_graph large = internal::make_weighted_dual_graph(to_surface_part(scaled(star(3), 64)));
+  const Weighted_dual_graph small = weighted_dual_graph(to_surface(scaled(star(3), 0.5)));
+  const Weighted_dual_graph large = weighted_dual_graph(to_surface(scaled(star(3), 64)));
   CHECK(small.capacity == large.capacity);
   CHECK(small.curvature == large.curvature);
 }
 
 void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_of_nodes)
 {
-  const Weighted_dual_graph fine = internal::make_weighted_dual_graph(to_surface_part(mesh));
-  const internal::Coarse_graph coarse = internal::coarsen(fine, number_of_nodes);
+  const Weighted_dual_graph fine = weighted_dual_graph(to_surface(mesh));
+  const internal::Coarse_graph coarse = internal::coarsen(fine, number_of_nodes, quiet_execution());
   const Index n = coarse.graph.number_of_nodes();
   CHECK(n <= fine.number_of_nodes());
   check_symmetry(coarse.graph);
 
   std::vector<double> area(n, 0);
   double border = 0;
-  for(Index f = 0; f < fine.number_of_nodes(); ++f)
+  for (Index f = 0; f < fine.number_of_nodes(); ++f)
   {
     area[coarse.node[f]] += fine.area[f];
-    for(const Index arc : fine.arcs(f))
-      if(coarse.node[fine.target[arc]] != coarse.node[f])
+    for (const Index arc : fine.arcs(f))
+      if (coarse.node[fine.target[arc]] != coarse.node[f])
         border += fine.capacity[arc];
   }
-  for(Index i = 0; i < n; ++i)
+  for (Index i = 0; i < n; ++i)
     CHECK_CLOSE(area[i], coarse.graph.area[i], 1e-12);
   CHECK_CLOSE(sum(coarse.graph.capacity), border, 1e-4 * (1 + border));
 
   // every node's faces are reached from its first one
   std::vector<bool> has_begun(n, false), is_reached(fine.number_of_nodes(), false);
   std::size_t reached = 0;
-  for(Index f = 0; f < fine.number_of_nodes(); ++f)
+  for (Index f = 0; f < fine.number_of_nodes(); ++f)
   {
-    if(has_begun[coarse.node[f]])
+    if (has_begun[coarse.node[f]])
       continue;
     has_begun[coarse.node[f]] = true;
     std::vector<Index> queue(1, f);
     is_reached[f] = true;
-    for(std::size_t i = 0; i < queue.size(); ++i, ++reached)
-      for(const Index arc : fine.arcs(queue[i]))
+    for (std::size_t i = 0; i < queue.size(); ++i, ++reached)
+      for (const Index arc : fine.arcs(queue[i]))
       {
         const Index g = fine.target[arc];
-        if(!is_reached[g] && coarse.node[g] == coarse.node[f])
+        if (!is_reached[g] && coarse.node[g] == coarse.node[f])
         {
           is_reached[g] = true;
           queue.push_back(g);
@@ -180,7 +188,7 @@ int main()
   coarse_nodes_are_connected_and_add_up(sheet(20, 30), 50);
   coarse_nodes_are_connected_and_add_up(icosahedron(), 2000);
   coarse_nodes_are_connected_and_add_up(merged({torus(), icosphere(3)}), 100);
-  for(unsigned int seed = 0; seed < 20; ++seed)
+  for (unsigned int seed = 0; seed < 20; ++seed)
     coarse_nodes_are_connected_and_add_up(random_surface(seed), 10);
   return check::result();
 }

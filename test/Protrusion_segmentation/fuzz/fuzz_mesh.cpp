@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Any bytes as a mesh file, all the way of the command line tool: a mesh or an error in one line, then a valid
@@ -28,8 +30,9 @@ class Temporary_mesh_file
 {
 public:
   Temporary_mesh_file(const std::string& extension, const std::string& bytes)
-    : m_name((std::filesystem::temp_directory_path() /
-              ("fuzz_mesh_" + std::to_string(getpid()) + extension)).string())
+    : m_name(
+        (std::filesystem::temp_directory_path() / ("fuzz_mesh_" + std::to_string(getpid()) + extension))
+          .string())
   {
     std::ofstream(m_name, std::ios::binary) << bytes;
   }
@@ -46,26 +49,30 @@ private:
   std::string m_name;
 };
 
-template <typename Distance, typename Border>
-void segment(const tool::Mesh& mesh, std::size_t k, const Distance& distance, const Border& border)
+template <typename Method>
+void segment(const tool::Mesh& mesh, std::size_t k, const Method& method)
 {
   std::vector<std::size_t> ids(mesh.number_of_faces(), mesh.number_of_faces());
   const auto map = boost::make_iterator_property_map(ids.begin(), get(boost::face_index, mesh));
-  const std::size_t number =
-    k == 0 ? CGAL::segmentation_via_protrusion_tips(mesh, map, distance, border)
-           : CGAL::segmentation_via_protrusion_tips(mesh, map, (std::min)(k, ids.size()), distance, border);
+  const std::size_t number = k == 0 ? CGAL::segmentation_via_protrusion_tips(mesh, map, method)
+                                    : CGAL::segmentation_via_protrusion_tips(
+                                        mesh, map, (std::min)(k, ids.size()), method);
   const auto problem = internal::problem_with_segmentation(mesh, map, number);
   require(!problem, problem.value_or(""));
 }
 
 void segment(const tool::Mesh& mesh, std::size_t method, std::size_t k)
 {
-  switch(method)
+  switch (method)
   {
-  case 0: return segment(mesh, k, Geodesic_distance(), Minimum_cut_method());
-  case 1: return segment(mesh, k, Geodesic_distance(), Histogram_method());
-  case 2: return segment(mesh, k, Landmark_geodesic_distance(), Histogram_method());
-  default: return segment(mesh, k, Diffusion_distance(), Histogram_method());
+  case 0:
+    return segment(mesh, k, Minimum_cut_method());
+  case 1:
+    return segment(mesh, k, Histogram_method());
+  case 2:
+    return segment(mesh, k, Histogram_method(Landmark_geodesic_distance()));
+  default:
+    return segment(mesh, k, Histogram_method(Diffusion_distance()));
   }
 }
 
@@ -74,7 +81,7 @@ void segment(const tool::Mesh& mesh, std::size_t method, std::size_t k)
 void fuzz(const std::string& bytes)
 {
   static const std::vector<std::string> extensions = {".off", ".obj", ".ply", ".stl"};
-  if(bytes.empty())
+  if (bytes.empty())
     return;
   const std::size_t choice = static_cast<unsigned char>(bytes[0]);
   const Temporary_mesh_file file(extensions[choice % 4], bytes.substr(1));
@@ -83,11 +90,11 @@ void fuzz(const std::string& bytes)
   {
     mesh = tool::read_mesh(file.name());
   }
-  catch(const tool::Error& error)
+  catch (const tool::Error& error)
   {
     require(std::string(error.what()).find(file.name()) == 0, "the error does not name the file");
     return;
   }
-  if(mesh.number_of_faces() <= maximum_number_of_faces)
+  if (mesh.number_of_faces() <= maximum_number_of_faces)
     segment(mesh, choice / 4 % 4, choice / 16);
 }

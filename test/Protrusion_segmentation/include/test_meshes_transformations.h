@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Transformations of test meshes, all of which keep every face's true part, and random numbers
@@ -10,8 +12,7 @@
 
 #include <random>
 
-namespace test_meshes
-{
+namespace test_meshes {
 
 // The standard fixes the numbers of std::mt19937, but not those of its distributions.
 class Random
@@ -60,10 +61,8 @@ inline Test_mesh rotated(const Test_mesh& mesh, const Point& axis, double angle)
 {
   const Point a = (1 / length(axis)) * axis;
   const double c = std::cos(angle), s = std::sin(angle);
-  return transformed(mesh, [&](const Point& p)
-  {
-    return c * p + s * cross(a, p) + ((1 - c) * dot(a, p)) * a;
-  });
+  return transformed(mesh,
+                     [&](const Point& p) { return c * p + s * cross(a, p) + ((1 - c) * dot(a, p)) * a; });
 }
 
 // A permutation of 0 .. n-1.
@@ -72,7 +71,7 @@ inline std::vector<std::size_t> random_permutation(std::size_t n, std::uint_fast
   Random random(seed);
   std::vector<std::size_t> result(n);
   std::iota(result.begin(), result.end(), std::size_t(0));
-  for(std::size_t i = n; i > 1; --i)
+  for (std::size_t i = n; i > 1; --i)
     std::swap(result[i - 1], result[random.index(i)]);
   return result;
 }
@@ -82,14 +81,14 @@ inline Test_mesh with_face_order(const Test_mesh& mesh, const std::vector<std::s
 {
   Test_mesh result;
   result.points = mesh.points;
-  for(std::size_t f : order)
+  for (std::size_t f : order)
     result.add_face(mesh.faces.at(f), mesh.parts.at(f));
   return result;
 }
 
 inline Test_mesh with_reversed_orientation(Test_mesh mesh)
 {
-  for(Face& face : mesh.faces)
+  for (Face& face : mesh.faces)
     std::reverse(face.begin(), face.end());
   return mesh;
 }
@@ -100,10 +99,10 @@ inline Test_mesh triangulated(const Test_mesh& mesh)
 {
   Test_mesh result;
   result.points = mesh.points;
-  for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
   {
     const Face& face = mesh.faces[f];
-    for(std::size_t i = 1; i + 1 < face.size(); ++i)
+    for (std::size_t i = 1; i + 1 < face.size(); ++i)
       result.add_face({face[0], face[i], face[i + 1]}, mesh.parts[f]);
   }
   return result;
@@ -113,14 +112,14 @@ inline Test_mesh triangulated(const Test_mesh& mesh)
 inline Test_mesh merged(const std::vector<Test_mesh>& meshes)
 {
   Test_mesh result;
-  for(const Test_mesh& mesh : meshes)
+  for (const Test_mesh& mesh : meshes)
   {
     const std::size_t first_point = result.points.size(), first_part = number_of_parts(result);
     result.points.insert(result.points.end(), mesh.points.begin(), mesh.points.end());
-    for(std::size_t f = 0; f < mesh.faces.size(); ++f)
+    for (std::size_t f = 0; f < mesh.faces.size(); ++f)
     {
       Face face = mesh.faces[f];
-      for(std::size_t& v : face)
+      for (std::size_t& v : face)
         v += first_point;
       result.add_face(std::move(face), first_part + mesh.parts[f]);
     }

@@ -1,7 +1,8 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One test for all mesh types: the same body gets the same labels from every distance and border
-// method that reads meshes in a way of its own.
+// One test for all mesh types: the same body gets the same labels by both methods.
 
 #ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_MESH_TYPES_H
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_MESH_TYPES_H
@@ -9,8 +10,7 @@
 #include "segmentations.h"
 #include "test_mesh.h"
 
-namespace mesh_types
-{
+namespace mesh_types {
 
 using namespace test_meshes;
 
@@ -23,14 +23,11 @@ const Test_mesh& body();
 const Labels& expected_paper_labels();
 const Labels& expected_default_labels();
 
-// With the default distance and border method.
+// With the default method.
 template <typename FaceGraph>
 Segmentation default_segmentation(const FaceGraph& mesh, std::size_t k)
 {
-  return checked(mesh, [&](auto ids)
-  {
-    return CGAL::segmentation_via_protrusion_tips(mesh, ids, k);
-  });
+  return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k); });
 }
 
 // The edges between two segments, as the function marks them and as the labels have them.
@@ -39,10 +36,9 @@ void marks_the_borders(const FaceGraph& mesh)
 {
   const auto is_border = get(CGAL::dynamic_edge_property_t<bool>(), mesh);
   Segment_ids<FaceGraph> ids(mesh);
-  CGAL::segmentation_via_protrusion_tips(
-    mesh, ids.map(), number_of_segments,
-    CGAL::parameters::edge_is_constrained_map(is_border));
-  for(const auto e : edges(mesh))
+  CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), number_of_segments,
+                                         CGAL::parameters::edge_is_constrained_map(is_border));
+  for (const auto e : edges(mesh))
   {
     const auto f = face(halfedge(e, mesh), mesh), g = face(opposite(halfedge(e, mesh), mesh), mesh);
     CHECK_EQUAL(get(is_border, e), get(ids.map(), f) != get(ids.map(), g));

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "mesh_types.h"
@@ -7,8 +9,7 @@
 #include <CGAL/Polyhedron_items_with_id_3.h>
 #include <CGAL/Simple_cartesian.h>
 
-namespace mesh_types
-{
+namespace mesh_types {
 
 using Double_kernel = CGAL::Simple_cartesian<double>;
 
@@ -18,9 +19,9 @@ void ids_of_a_polyhedron_may_be_unset()
   using Polyhedron = CGAL::Polyhedron_3<Double_kernel, CGAL::Polyhedron_items_with_id_3>;
   Polyhedron mesh = to_graph<Polyhedron>(body());
   gives_the_same_labels(mesh);
-  for(auto f : faces(mesh))
+  for (auto f : faces(mesh))
     f->id() = 7;
-  for(auto v : vertices(mesh))
+  for (auto v : vertices(mesh))
     v->id() = 7;
   gives_the_same_labels(mesh);
 }

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "mesh_types.h"
@@ -7,8 +9,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-namespace mesh_types
-{
+namespace mesh_types {
 
 template <typename Kernel>
 using Mesh_with = CGAL::Surface_mesh<typename Kernel::Point_3>;
@@ -22,7 +23,7 @@ void property_maps_of_a_surface_mesh_take_the_labels()
   const Mesh& constant_mesh = mesh;
   CHECK_EQUAL(CGAL::segmentation_via_protrusion_tips(constant_mesh, ids, number_of_segments),
               number_of_segments);
-  for(const auto f : faces(mesh))
+  for (const auto f : faces(mesh))
     CHECK_EQUAL(ids[f], expected_default_labels()[std::size_t(f)]);
 }
 

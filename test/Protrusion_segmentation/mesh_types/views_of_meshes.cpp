@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Meshes that show another mesh, or a part of it, without a copy.
@@ -10,8 +12,7 @@
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/Seam_mesh.h>
 
-namespace mesh_types
-{
+namespace mesh_types {
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
@@ -20,7 +21,7 @@ void a_filtered_graph_is_the_part_that_it_shows()
 {
   const Mesh mesh = to_graph<Mesh>(merged({body(), translated(icosphere(2), {9, 0, 0})}));
   std::vector<Mesh::Face_index> shown;
-  for(std::size_t f = 0; f < body().faces.size(); ++f)
+  for (std::size_t f = 0; f < body().faces.size(); ++f)
     shown.emplace_back(static_cast<Mesh::size_type>(f));
   const CGAL::Face_filtered_graph<Mesh> part(mesh, shown);
   gives_the_same_labels(part);
@@ -46,7 +47,7 @@ void a_seam_cuts_the_mesh()
   Seam_mesh seam_mesh(mesh, mesh.add_property_map<Mesh::Edge_index, bool>("", false).first,
                       mesh.add_property_map<Mesh::Vertex_index, bool>("", false).first);
   const Face& around = soup.faces[0];
-  for(std::size_t i = 0; i < around.size(); ++i)
+  for (std::size_t i = 0; i < around.size(); ++i)
     CHECK(seam_mesh.add_seam(Mesh::Vertex_index(Mesh::size_type(around[i])),
                              Mesh::Vertex_index(Mesh::size_type(around[(i + 1) % around.size()]))));
   const Segmentation found = default_segmentation(seam_mesh, 1);

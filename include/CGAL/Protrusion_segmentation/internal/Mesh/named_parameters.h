@@ -72,6 +72,7 @@ using If_number = std::enable_if_t<std::is_integral<Number>::value, int>;
 template <typename Method>
 using If_method = std::enable_if_t<Is_method<Method>::value, int>;
 
+// Boost's `put()` takes keys of any type, and fails inside.
 template <typename Map, typename Key, typename = void>
 struct Is_map_of_ids : std::false_type {};
 template <typename Map, typename Key>
@@ -79,7 +80,9 @@ struct Is_map_of_ids<Map, Key,
                      std::void_t<typename boost::property_traits<Map>::category,
                                  decltype(put(std::declval<Map&>(), std::declval<const Key&>(),
                                               std::declval<typename boost::property_traits<Map>::value_type>()))>>
-  : std::is_convertible<std::size_t, typename boost::property_traits<Map>::value_type> {};
+  : std::bool_constant<std::is_convertible<Key, typename boost::property_traits<Map>::key_type>::value &&
+                       std::is_convertible<std::size_t, typename boost::property_traits<Map>::value_type>::value>
+{};
 
 template <typename FaceGraph, typename SegmentMap>
 constexpr void check_segment_map()

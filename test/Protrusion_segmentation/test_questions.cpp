@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Whether to go on is asked before every distance computation, whatever the method and the distance; progress
+// moves all the time; and where the answer is no, nothing is written.
+
+#include "recorder.h"
+#include "segmentations.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
+#include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
+#include <CGAL/Protrusion_segmentation/Heat_distance.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace test_meshes;
+using namespace CGAL::Protrusion_segmentation;
+namespace parameters = CGAL::parameters;
+
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Index = Indexed_surface::Index;
+
+constexpr std::size_t number_of_segments = 5;
+constexpr std::size_t least_number_of_shares = 10; // that a bar of progress shows
+
+// Shared by a distance and a visitor.
+struct Counters
+{
+  std::vector<std::function<std::size_t()>> runs_on_surfaces;
+  std::size_t runs_in_preparation = 0; // of these
+  std::size_t questions = 0;
+
+  std::size_t runs() const
+  {
+    std::size_t sum = 0;
+    for (const auto& runs_on_surface : runs_on_surfaces)
+      sum += runs_on_surface();
+    return sum;
+  }
+};
+
+// Another distance whose computations can be counted while it is at work.
+template <typename Distance>
+class Counted_distance
+{
+public:
+  Counted_distance(const Distance& distance, Counters& counters)
+    : m_distance(distance),
+      m_counters(&counters)
+  {}
+
+  class On_surface
+  {
+  public:
+    On_surface(const Distance& distance,
+               const Indexed_surface& surface,
+               Execution& execution,
+               Counters& counters)
+    {
+      const std::size_t questions = counters.questions;
+      m_distances = std::make_shared<Distances>(distance.on(surface, execution));
+      const std::size_t runs = m_distances->number_of_runs();
+      CHECK(counters.questions - questions >= runs);
+      counters.runs_in_preparation += runs;
+      counters.runs_on_surfaces.push_back([distances = m_distances]()
+                                          { return distances->number_of_runs(); });
+    }
+    void operator()(Index source, std::vector<double>& distances) { (*m_distances)(source, distances); }
+    Index face_of_largest_sum() { return m_distances->face_of_largest_sum(); }
+    std::size_t number_of_runs() const { return m_distances->number_of_runs(); }
+
+  private:
+    using Distances = decltype(std::declval<const Distance&>().on(std::declval<const Indexed_surface&>(),
+                                                                  std::declval<Execution&>()));
+    std::shared_ptr<Distances> m_distances;
+  };
+
+  On_surface on(const Indexed_surface& surface, Execution& execution) const
+  {
+    return On_surface(m_distance, surface, execution, *m_counters);
+  }
+
+private:
+  Distance m_distance;
+  Counters* m_counters;
+};
+
+class Counting_visitor : public Recorder<Mesh>
+{
+public:
+  explicit Counting_visitor(Counters& counters) : m_counters(counters) {}
+
+  bool go_further() override
+  {
+    const std::size_t runs = m_counters.runs() - m_counters.runs_in_preparation;
+    m_largest = std::max(m_largest, runs - m_runs_before);
+    m_runs_before = runs;
+    ++m_counters.questions;
+    return Recorder<Mesh>::go_further();
+  }
+  std::size_t largest_number_of_runs_between_questions() const { return m_largest; }
+
+private:
+  Counters& m_counters;
+  std::size_t m_runs_before = 0;
+  std::size_t m_largest = 0;
+};
+
+std::size_t number_of_different(const std::vector<double>& shares)
+{
+  return std::set<double>(shares.begin(), shares.end()).size();
+}
+
+template <typename Method>
+std::size_t segment(const Mesh& mesh, const Method& method, Recorder<Mesh>& recorder)
+{
+  return checked(mesh,
+                 [&](auto ids)
+                 {
+                   return CGAL::segmentation_via_protrusion_tips(mesh, ids, number_of_segments, method,
+                                                                 parameters::visitor(std::ref(recorder)));
+                 })
+    .number;
+}
+
+template <typename Method, typename Distance>
+void check_questions(const std::string& name, const Mesh& mesh, const Distance& distance)
+{
+  Counters counters;
+  Counting_visitor visitor(counters);
+  CHECK_EQUAL(segment(mesh, Method(Counted_distance<Distance>(distance, counters)), visitor),
+              number_of_segments);
+  check_stages_and_progress(visitor);
+  std::cout << name << ", " << mesh.number_of_faces() << " faces: " << counters.questions
+            << " questions, " << counters.runs() << " distance computations, "
+            << number_of_different(visitor.shares) << " values of progress\n";
+  CHECK(counters.runs() > 10);
+  CHECK_EQUAL(counters.runs(), visitor.runs);
+  CHECK_EQUAL(visitor.largest_number_of_runs_between_questions(), 1);
+  CHECK(number_of_different(visitor.shares) > least_number_of_shares);
+}
+
+// Some questions, the first and the last among them: nothing is written, whatever is under way.
+template <typename Method>
+void check_stops(const Mesh& mesh, const Method& method)
+{
+  Recorder<Mesh> all;
+  CHECK_EQUAL(segment(mesh, method, all), number_of_segments);
+  constexpr std::size_t number_of_stops = 12;
+  for (std::size_t i = 0; i <= number_of_stops; ++i)
+  {
+    Recorder<Mesh> recorder;
+    recorder.stop_at = 1 + i * (all.questions - 1) / number_of_stops;
+    CHECK_EQUAL(segment(mesh, method, recorder), 0);
+    CHECK_EQUAL(recorder.questions, recorder.stop_at);
+    CHECK(recorder.open.empty());
+  }
+}
+
+template <typename Distance>
+void check_distance(const std::string& name, const Mesh& mesh, const Distance& distance)
+{
+  check_questions<Histogram_method>(name, mesh, distance);
+  check_questions<Minimum_cut_method>(name + ", minimum cut", mesh, distance);
+  check_stops(mesh, Histogram_method(distance));
+  check_stops(mesh, Minimum_cut_method(distance));
+}
+
+// The default method's own measure: shortest paths on the coarse graph.
+class Visitor_of_tips : public Recorder<Mesh>
+{
+public:
+  bool go_further() override
+  {
+    questions_while_tips_are_selected += !open.empty() && open.back() == "tips";
+    return Recorder<Mesh>::go_further();
+  }
+  std::size_t questions_while_tips_are_selected = 0;
+};
+
+void check_default_method(const Mesh& mesh)
+{
+  Visitor_of_tips visitor;
+  CHECK_EQUAL(segment(mesh, Minimum_cut_method(), visitor), number_of_segments);
+  check_stages_and_progress(visitor);
+  std::cout << "default method, " << mesh.number_of_faces() << " faces: " << visitor.questions
+            << " questions, " << visitor.questions_while_tips_are_selected << " of them for "
+            << visitor.runs << " shortest path computations, " << number_of_different(visitor.shares)
+            << " values of progress\n";
+  CHECK(visitor.questions_while_tips_are_selected >= visitor.runs);
+  CHECK(number_of_different(visitor.shares) > least_number_of_shares);
+  check_stops(mesh, Minimum_cut_method());
+}
+
+struct Counting_observer : internal::Observer
+{
+  bool go_further() override
+  {
+    ++questions;
+    return true;
+  }
+  std::size_t questions = 0;
+};
+
+// Between two products of the Lanczos method there is no more than one.
+void every_product_of_the_eigenvalue_solver_asks()
+{
+  const Test_mesh soup = bumpy_sphere(3, 1);
+  internal::Arrays_of_mesh arrays = internal::read_surface(to_graph<Mesh>(soup),
+                                                           parameters::default_values());
+  const Indexed_surface surface = std::move(arrays.surface).to_surface();
+  Counting_observer observer;
+  Execution execution(observer, 0, false);
+  const internal::Deflated_inverse inverse(internal::make_random_walk(surface).laplacian, execution);
+  std::vector<double> x(surface.number_of_faces(), 1), y(surface.number_of_faces());
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const std::size_t questions = observer.questions;
+    inverse.perform_op(x.data(), y.data());
+    CHECK_EQUAL(observer.questions, questions + 1);
+  }
+}
+
+int main()
+{
+  const Mesh mesh = to_graph<Mesh>(star(4));
+  CHECK(mesh.number_of_faces() > 3000);
+  check_default_method(mesh);
+  check_distance("geodesic", mesh, Geodesic_distance());
+  check_distance("landmarks", mesh, Landmark_geodesic_distance(0.02));
+  check_distance("diffusion", mesh, Diffusion_distance());
+  check_distance("heat", mesh, Heat_distance());
+  // some seconds for a larger one
+  check_distance("exact", to_graph<Mesh>(star(4, 2, 0.25, 0.04, 0.35)), Exact_geodesic_distance());
+  every_product_of_the_eigenvalue_solver_asks();
+  return check::result();
+}

@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// All ways to call the functions, with numbers of any integer type: they compile, and agree.
+
+#include "segmentations.h"
+#include "star_mesh.h"
+
+using namespace test_meshes;
+using namespace CGAL::Protrusion_segmentation;
+namespace parameters = CGAL::parameters;
+
+using Face_descriptor = Mesh::Face_index;
+
+// `segment`: segment map -> number of segments.
+template <typename Segment>
+void check_labels(const Labels& expected, Segment segment)
+{
+  CHECK(checked(star_mesh(), segment).labels == expected);
+}
+
+template <typename Method>
+Labels labels_by(const Method& method)
+{
+  return checked(star_mesh(), [&](auto ids)
+                 { return CGAL::segmentation_via_protrusion_tips(star_mesh(), ids, 5, method); })
+    .labels;
+}
+
+// The number, whatever its type, with a method and without, with named parameters and without.
+template <typename Number>
+void numbers_of_segments(Number k)
+{
+  const Mesh& mesh = star_mesh();
+  const auto np = parameters::random_seed(0);
+  const Minimum_cut_method minimum_cut;
+  const Histogram_method histogram;
+  static const Labels by_default = labels_by(minimum_cut), by_histogram = labels_by(histogram);
+  CHECK(by_default != by_histogram);
+  const auto via = [&](const Labels& expected, const auto&... others)
+  {
+    check_labels(expected, [&](auto ids)
+                 { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, others...); });
+    const Segment_hierarchy hierarchy = CGAL::protrusion_hierarchy(mesh, k, others...);
+    check_labels(expected,
+                 [&](auto ids)
+                 {
+                   hierarchy.segment_ids(mesh, 5, ids);
+                   return hierarchy.maximum_number_of_segments();
+                 });
+  };
+  via(by_default);
+  via(by_default, np);
+  via(by_default, minimum_cut);
+  via(by_default, minimum_cut, np);
+  via(by_histogram, histogram);
+  via(by_histogram, histogram, np);
+}
+
+template <typename Number>
+void numbers_of_tips(Number n)
+{
+  const auto np = parameters::random_seed(0);
+  const auto tips = [&](const auto&... others)
+  {
+    std::vector<Face_descriptor> result;
+    CGAL::protrusion_tips(star_mesh(), n, std::back_inserter(result), others...);
+    return result;
+  };
+  const std::vector<Face_descriptor> expected = tips();
+  CHECK_EQUAL(expected.size(), n);
+  CHECK(tips(np) == expected);
+  CHECK(tips(Geodesic_distance()) == expected);
+  CHECK(tips(Geodesic_distance(), np) == expected);
+}
+
+void numbers_may_have_any_integer_type()
+{
+  numbers_of_segments(5);
+  numbers_of_segments(5u);
+  numbers_of_segments(5l);
+  numbers_of_segments(static_cast<short>(5));
+  numbers_of_segments(static_cast<unsigned char>(5));
+  numbers_of_segments(std::size_t(5));
+  numbers_of_tips(4);
+  numbers_of_tips(4u);
+  numbers_of_tips(4l);
+  numbers_of_tips(static_cast<short>(4));
+  numbers_of_tips(std::size_t(4));
+}
+
+template <typename... Others>
+std::size_t evident(const Others&... others)
+{
+  return checked(star_mesh(), [&](auto ids)
+                 { return CGAL::segmentation_via_protrusion_tips(star_mesh(), ids, others...); })
+    .number;
+}
+
+void without_a_number()
+{
+  const auto np = parameters::random_seed(0);
+  CHECK_EQUAL(evident(), 5);
+  CHECK_EQUAL(evident(np), 5);
+  CHECK_EQUAL(evident(Minimum_cut_method()), 5);
+  CHECK_EQUAL(evident(Minimum_cut_method(), np), 5);
+  const std::size_t by_histogram = evident(Histogram_method());
+  CHECK(by_histogram >= 5);
+  CHECK_EQUAL(evident(Histogram_method(), np), by_histogram);
+}
+
+template <typename... Others>
+Labels from_tips(const std::vector<Face_descriptor>& tips, const Others&... others)
+{
+  return checked(star_mesh(), [&](auto ids)
+                 { return CGAL::segmentation_from_protrusion_tips(star_mesh(), tips, ids, others...); })
+    .labels;
+}
+
+void from_given_tips()
+{
+  const auto np = parameters::random_seed(0);
+  std::vector<Face_descriptor> tips;
+  CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips));
+  const Labels expected = from_tips(tips);
+  CHECK(from_tips(tips, np) == expected);
+  CHECK(from_tips(tips, Minimum_cut_method()) == expected);
+  CHECK(from_tips(tips, Minimum_cut_method(), np) == expected);
+  CHECK(from_tips(tips, Histogram_method(), np) == from_tips(tips, Histogram_method()));
+}
+
+// All templates that take one, with the tag in front.
+template <typename Tag>
+void with_tag()
+{
+  const Mesh& mesh = star_mesh();
+  const auto np = parameters::random_seed(0);
+  const Minimum_cut_method method;
+  const Labels expected = labels_by(method);
+  check_labels(expected,
+               [&](auto ids) { return CGAL::segmentation_via_protrusion_tips<Tag>(mesh, ids); });
+  check_labels(expected,
+               [&](auto ids) { return CGAL::segmentation_via_protrusion_tips<Tag>(mesh, ids, 5); });
+  check_labels(expected,
+               [&](auto ids) { return CGAL::segmentation_via_protrusion_tips<Tag>(mesh, ids, method); });
+  check_labels(expected, [&](auto ids)
+               { return CGAL::segmentation_via_protrusion_tips<Tag>(mesh, ids, 5, method, np); });
+  CHECK_EQUAL(CGAL::protrusion_hierarchy<Tag>(mesh, 5).maximum_number_of_segments(), 5);
+  CHECK_EQUAL(CGAL::protrusion_hierarchy<Tag>(mesh, 5, method, np).maximum_number_of_segments(), 5);
+  std::vector<Face_descriptor> tips;
+  CGAL::protrusion_tips<Tag>(mesh, 4, std::back_inserter(tips));
+  CGAL::protrusion_tips<Tag>(mesh, 4, std::back_inserter(tips), Landmark_geodesic_distance(), np);
+  CHECK_EQUAL(tips.size(), 8);
+  tips.resize(4);
+  for (int i = 0; i < 2; ++i)
+    check_labels(from_tips(tips),
+                 [&](auto ids)
+                 {
+                   return i == 0
+                            ? CGAL::segmentation_from_protrusion_tips<Tag>(mesh, tips, ids)
+                            : CGAL::segmentation_from_protrusion_tips<Tag>(mesh, tips, ids, method, np);
+                 });
+}
+
+template <typename Number>
+void check_refused_number(Number k, const std::string& message)
+{
+  const Mesh& mesh = star_mesh();
+  Segment_ids<Mesh> ids(mesh);
+  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k), std::invalid_argument,
+                    message);
+  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Histogram_method()),
+                    std::invalid_argument, message);
+  CHECK_THROWS_WITH(CGAL::protrusion_hierarchy(mesh, k), std::invalid_argument, message);
+  CHECK_THROWS_WITH(CGAL::protrusion_hierarchy(mesh, k, Histogram_method()), std::invalid_argument,
+                    message);
+  CHECK(is_untouched({0, ids.labels()}));
+}
+
+// None of them becomes a huge number.
+void numbers_below_one_are_refused()
+{
+  check_refused_number(-1, "number_of_segments is -1");
+  check_refused_number(-1l, "number_of_segments is -1");
+  check_refused_number(static_cast<short>(-7), "number_of_segments is -7");
+  check_refused_number((std::numeric_limits<long long>::min)(),
+                       "number_of_segments is -9223372036854775808");
+  check_refused_number(0, "number_of_segments is 0");
+  check_refused_number(0u, "number_of_segments is 0");
+  check_refused_number(std::size_t(0), "number_of_segments is 0");
+  std::vector<Face_descriptor> tips;
+  CHECK_THROWS_WITH(CGAL::protrusion_tips(star_mesh(), -3, std::back_inserter(tips)),
+                    std::invalid_argument, "number_of_tips is -3");
+  CHECK_THROWS_WITH(
+    CGAL::protrusion_tips(star_mesh(), -3l, std::back_inserter(tips), Geodesic_distance()),
+    std::invalid_argument, "number_of_tips is -3");
+  CGAL::protrusion_tips(star_mesh(), 0, std::back_inserter(tips));
+  CHECK(tips.empty());
+}
+
+int main()
+{
+  numbers_may_have_any_integer_type();
+  without_a_number();
+  from_given_tips();
+  with_tag<CGAL::Sequential_tag>();
+#ifdef CGAL_LINKED_WITH_TBB
+  with_tag<CGAL::Parallel_tag>();
+#endif
+  numbers_below_one_are_refused();
+  return check::result();
+}
