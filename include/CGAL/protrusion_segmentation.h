@@ -390,7 +390,7 @@ Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
   namespace internal = Protrusion_segmentation::internal;
 
   return internal::mesh_hierarchy<ConcurrencyTag>(
-    tmesh, internal::checked_count("number_of_segments", maximum_number_of_segments), method, np);
+    tmesh, internal::checked_count("maximum_number_of_segments", maximum_number_of_segments), method, np);
 }
 
 /*!

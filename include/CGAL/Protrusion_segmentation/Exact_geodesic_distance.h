@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Asking_map.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/triangulate_surface.h>
 
@@ -57,8 +58,9 @@ public:
       if (!m_triangulated)
         return;
       const Mesh& mesh = m_triangulated->mesh;
-      m_paths = std::make_unique<Paths>(mesh, get(boost::vertex_index, mesh), get(boost::halfedge_index, mesh),
-                                        get(boost::face_index, mesh), Asking_point_map{&mesh, &execution});
+      const auto map = [&](auto tag) { return internal::Asking_map(get(tag, mesh), execution); };
+      m_paths = std::make_unique<Paths>(mesh, map(boost::vertex_index), map(boost::halfedge_index),
+                                        map(boost::face_index), map(vertex_point));
       for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
         m_centroids.push_back(locate_centroid(f));
     }
@@ -78,6 +80,8 @@ public:
       for (Indexed_surface::Index f = 0; f < m_surface.number_of_faces(); ++f)
         if (has_triangle(f))
         {
+          if (f % faces_between_questions == 0)
+            m_execution.check();
           const double distance =
             m_paths->shortest_distance_to_source_points(m_centroids[f].triangle, m_centroids[f].coordinates)
               .first;
@@ -92,37 +96,18 @@ public:
     std::size_t number_of_runs() const { return m_number_of_runs; }
 
   private:
+    static constexpr Indexed_surface::Index faces_between_questions = 64;
+
     using Kernel = Exact_predicates_inexact_constructions_kernel;
     using Point = Kernel::Point_3;
     using Triangulated = internal::Triangulated_surface<Point>;
     using Mesh = Surface_mesh<Point>;
     using Traits = Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 
-    // The points of the vertices. CGAL's algorithm has no visitor, and computes for seconds; so whether to go on
-    // is asked each time that it has looked up some more points.
-    struct Asking_point_map
-    {
-      using key_type = Mesh::Vertex_index;
-      using value_type = Point;
-      using reference = const Point&;
-      using category = boost::readable_property_map_tag;
-
-      const Mesh* mesh;
-      Execution* execution;
-      mutable std::size_t number_of_points = 0;
-
-      friend reference get(const Asking_point_map& map, key_type vertex)
-      {
-        constexpr std::size_t points_between_questions = 1 << 14;
-        if (++map.number_of_points % points_between_questions == 0)
-          map.execution->check();
-        return map.mesh->point(vertex);
-      }
-    };
-    using Paths = Surface_mesh_shortest_path<Traits, boost::property_map<Mesh, boost::vertex_index_t>::const_type,
-                                             boost::property_map<Mesh, boost::halfedge_index_t>::const_type,
-                                             boost::property_map<Mesh, boost::face_index_t>::const_type,
-                                             Asking_point_map>;
+    template <typename Tag>
+    using Mesh_map = internal::Asking_map<typename boost::property_map<Mesh, Tag>::const_type>;
+    using Paths = Surface_mesh_shortest_path<Traits, Mesh_map<boost::vertex_index_t>, Mesh_map<boost::halfedge_index_t>,
+                                             Mesh_map<boost::face_index_t>, Mesh_map<vertex_point_t>>;
 
     struct Location
     {

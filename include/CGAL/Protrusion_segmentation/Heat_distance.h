@@ -15,6 +15,7 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Asking_map.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/triangulate_surface.h>
 
@@ -66,7 +67,8 @@ public:
     {
       execution.check();
       if (m_triangulated)
-        m_heat_method = std::make_unique<Heat_method>(m_triangulated->mesh);
+        m_heat_method = std::make_unique<Heat_method>(
+          m_triangulated->mesh, Point_map(get(vertex_point, m_triangulated->mesh), execution));
     }
 
     /// computes the distances from a face.
@@ -87,8 +89,10 @@ public:
     using Point = Indexed_surface::Point_3;
     using Triangulated = internal::Triangulated_surface<Point>;
     using Mesh = Surface_mesh<Point>;
+    // asked about by the heat method between its two factorizations
+    using Point_map = internal::Asking_map<boost::property_map<Mesh, vertex_point_t>::const_type>;
     using Heat_method =
-      Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Heat_method_3::Direct>;
+      Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Heat_method_3::Direct, Point_map>;
 
     // Calls `visit` with the vertices of the triangles of a face.
     template <typename Visit>

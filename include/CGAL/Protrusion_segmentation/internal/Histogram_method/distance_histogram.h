@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_DISTANCE_HISTOGRAM_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 
 #include <boost/range/iterator_range.hpp>
 
@@ -29,6 +30,12 @@ struct Distance_histogram
 {
   double range = 0; // the distance of the farthest face
   std::array<Indexed_surface::Index, number_of_slots> counts{};
+
+  Distance_histogram() = default;
+  // with all counts still 0
+  explicit Distance_histogram(const std::vector<double>& distances)
+    : range(*std::max_element(distances.begin(), distances.end()))
+  {}
 
   std::size_t slot(double distance) const
   {
@@ -54,29 +61,28 @@ class Slots
 public:
   using Index = Indexed_surface::Index;
 
-  explicit Slots(const std::vector<double>& distances) : m_faces(distances.size())
+  explicit Slots(const std::vector<double>& distances)
+    : m_histogram(distances), m_faces(slots_of(distances), number_of_slots)
   {
-    m_histogram.range = *std::max_element(distances.begin(), distances.end());
-    for (double d : distances)
-      ++m_histogram.counts[m_histogram.slot(d)];
-    m_begin[0] = 0;
     for (std::size_t s = 0; s < number_of_slots; ++s)
-      m_begin[s + 1] = m_begin[s] + m_histogram.counts[s];
-    std::array<Index, number_of_slots + 1> position = m_begin;
-    for (Index f = 0; f < distances.size(); ++f)
-      m_faces[position[m_histogram.slot(distances[f])]++] = f;
+      m_histogram.counts[s] = m_faces.size(s);
   }
 
   const Distance_histogram& histogram() const { return m_histogram; }
-  boost::iterator_range<const Index*> faces(std::size_t slot) const
-  {
-    return {m_faces.data() + m_begin[slot], m_faces.data() + m_begin[slot + 1]};
-  }
+  boost::iterator_range<const Index*> faces(std::size_t slot) const { return m_faces[slot]; }
 
 private:
+  std::vector<Index> slots_of(const std::vector<double>& distances) const
+  {
+    std::vector<Index> slots;
+    slots.reserve(distances.size());
+    for (double d : distances)
+      slots.push_back(static_cast<Index>(m_histogram.slot(d)));
+    return slots;
+  }
+
   Distance_histogram m_histogram;
-  std::array<Index, number_of_slots + 1> m_begin;
-  std::vector<Index> m_faces; // slot by slot
+  Index_groups m_faces;
 };
 
 // Slots from `first` to `last`, both included.
