@@ -5,7 +5,7 @@
     doc/make_figures.py FOLDER [--only NAME...]
 
 FOLDER holds the programs segment_by_protrusions and make_example_mesh, for instance
-build/demo/examples/Protrusion_segmentation. Needed besides, all from Debian: f3d and xvfb, which
+build/demo/tools. Needed besides, all from Debian: f3d and xvfb, which
 render the pictures, imagemagick, which makes them brighter and small, and chromium, which shows the
 page of --report.
 """

@@ -14,7 +14,7 @@ how to measure.
 Constants: in table rows that begin with "| `FILE.h`, `NAME` |" the second column is the value that
 NAME is set to in that header.
 
-Output of the examples: with --programs FOLDER, the folder of the built examples, what an example
+Output of the examples: with --build FOLDER, a build of the package as build/test, what an example
 prints for a shape of make_example_mesh replaces what is between the lines
 
     <!-- begin output of EXAMPLE for SHAPE -->
@@ -89,15 +89,15 @@ def constant(header, name, old_value):
     return found.group(1) if found else old_value
 
 
-def output(programs, example, shape):
+def output(build, example, shape):
     """What the example prints. Its last argument, if it wants one, is the name of a .seg file."""
     with tempfile.TemporaryDirectory() as folder:
         mesh, segments = f"{folder}/{shape}.off", f"{folder}/{shape}.seg"
-        subprocess.run([programs / "make_example_mesh", shape, mesh], check=True,
+        subprocess.run([build / "tools/make_example_mesh", shape, mesh], check=True,
                        stdout=subprocess.DEVNULL)
         writes = "write_SEG" in (EXAMPLES / f"{example}.cpp").read_text(encoding="utf-8")
-        result = subprocess.run([programs / example, mesh] + ([segments] if writes else []),
-                                check=True, capture_output=True, text=True)
+        result = subprocess.run([build / "examples/Protrusion_segmentation" / example, mesh]
+                                + ([segments] if writes else []), check=True, capture_output=True, text=True)
     lines = result.stdout.splitlines()
     if len(lines) > LONGEST_OUTPUT:
         lines[LONGEST_OUTPUT:] = ["..."]
@@ -126,9 +126,9 @@ def updated_readme(text):
     return RESULT.sub(result, text)
 
 
-def updated(text, programs):
-    if programs:
-        text = OUTPUT.sub(lambda m: m[1] + output(programs, m[2], m[3]) + m[4], text)
+def updated(text, build):
+    if build:
+        text = OUTPUT.sub(lambda m: m[1] + output(build, m[2], m[3]) + m[4], text)
     text = BLOCK.sub(lambda m: m[1] + measurements(m[2], m[3]) + m[4], text)
     return ROW.sub(lambda m: f"| `{m[1]}`, `{m[2]}` | {constant(m[1], m[2], m[3])} |", text)
 
@@ -136,10 +136,10 @@ def updated(text, programs):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
-    parser.add_argument("--programs", type=pathlib.Path, help="folder of the built examples")
+    parser.add_argument("--build", type=pathlib.Path, help="folder of a build")
     arguments = parser.parse_args()
-    programs = arguments.programs and arguments.programs.resolve()
-    for file, update in ((MANUAL, lambda text: updated(text, programs)), (README, updated_readme)):
+    build = arguments.build and arguments.build.resolve()
+    for file, update in ((MANUAL, lambda text: updated(text, build)), (README, updated_readme)):
         old = file.read_text(encoding="utf-8")
         new = update(old)
         if arguments.check and new != old:

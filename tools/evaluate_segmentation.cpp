@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // evaluate_segmentation MESH SEGMENTATION REFERENCE...
@@ -5,10 +7,14 @@
 // Scores a segmentation against one or more references, for example those made by humans: as a
 // table for people, as JSON for programs.
 
-#include "include/tool_support.h"
+#include "command_line/tool_main.h"
+#include "reading/read_mesh.h"
+#include "reading/read_segmentation.h"
+#include "writing/write_output.h"
 
 #include <CGAL/segmentation_metrics.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <iomanip>
@@ -55,10 +61,10 @@ std::vector<Score> scores(const Metrics& metrics)
 Json as_json(const std::vector<std::string>& references, const std::vector<Metrics>& metrics)
 {
   Json array = Json::array();
-  for(std::size_t i = 0; i < references.size(); ++i)
+  for (std::size_t i = 0; i < references.size(); ++i)
   {
     Json object = {{"reference", references[i]}};
-    for(const Score& score : scores(metrics[i]))
+    for (const Score& score : scores(metrics[i]))
       object[score.name] = score.value ? Json(*score.value) : Json(nullptr);
     array.push_back(object);
   }
@@ -68,10 +74,10 @@ Json as_json(const std::vector<std::string>& references, const std::vector<Metri
 std::string row(const std::vector<Score>& scores, const std::string& reference)
 {
   std::ostringstream out;
-  for(const Score& score : scores)
+  for (const Score& score : scores)
   {
     out << std::setw(8);
-    if(score.value)
+    if (score.value)
       out << std::fixed << std::setprecision(4) << *score.value;
     else
       out << "-";
@@ -84,12 +90,12 @@ std::string row(const std::vector<Score>& scores, const std::string& reference)
 std::vector<Score> mean_scores(const std::vector<Metrics>& metrics)
 {
   std::vector<Score> means = scores(metrics.front());
-  for(std::size_t s = 0; s < means.size(); ++s)
+  for (std::size_t s = 0; s < means.size(); ++s)
   {
     double sum = 0;
     int count = 0;
-    for(const Metrics& m : metrics)
-      if(const std::optional<double> value = scores(m)[s].value)
+    for (const Metrics& m : metrics)
+      if (const std::optional<double> value = scores(m)[s].value)
       {
         sum += *value;
         ++count;
@@ -102,12 +108,12 @@ std::vector<Score> mean_scores(const std::vector<Metrics>& metrics)
 void print_table(const std::vector<std::string>& references, const std::vector<Metrics>& metrics)
 {
   std::string headings;
-  for(const Score& score : scores(metrics.front()))
+  for (const Score& score : scores(metrics.front()))
     headings += std::string(8 - std::string(score.heading).size(), ' ') + score.heading;
   std::cout << headings << "  reference\n";
-  for(std::size_t i = 0; i < references.size(); ++i)
+  for (std::size_t i = 0; i < references.size(); ++i)
     std::cout << row(scores(metrics[i]), references[i]);
-  if(references.size() > 1)
+  if (references.size() > 1)
     std::cout << row(mean_scores(metrics), "mean");
   std::cout << "Smaller is better. RI Rand index error, HD Hamming distance, Rm missing rate,\n"
                "Rf false-alarm rate, CD cut discrepancy (- where a side has no border),\n"
@@ -119,7 +125,7 @@ void evaluate(const Command_line& command_line)
   tool::Mesh mesh = tool::read_mesh(command_line.mesh);
   const tool::Segment_ids segments = tool::read_segmentation(command_line.segmentation, mesh);
   std::vector<Metrics> metrics;
-  for(const std::string& reference : command_line.references)
+  for (const std::string& reference : command_line.references)
   {
     tool::Segment_ids reference_ids = tool::read_segmentation(reference, mesh);
     metrics.push_back(CGAL::segmentation_metrics(mesh, segments, reference_ids));
@@ -132,9 +138,9 @@ void evaluate(const Command_line& command_line)
     out << as_json(command_line.references, metrics)
              .dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   };
-  if(command_line.json.empty())
+  if (command_line.json.empty())
     print_table(command_line.references, metrics);
-  else if(command_line.json == "-")
+  else if (command_line.json == "-")
     write_json(std::cout);
   else
     tool::write_output(command_line.json, write_json);

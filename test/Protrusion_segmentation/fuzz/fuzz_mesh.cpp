@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Any bytes as a mesh file, all the way of the command line tool: a mesh or an error in one line, then a valid
@@ -5,7 +7,7 @@
 
 #include "fuzz_target.h"
 
-#include "read_mesh.h"
+#include "reading/read_mesh.h"
 
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/validation.h>
@@ -60,7 +62,7 @@ void segment(const tool::Mesh& mesh, std::size_t k, const Distance& distance, co
 
 void segment(const tool::Mesh& mesh, std::size_t method, std::size_t k)
 {
-  switch(method)
+  switch (method)
   {
   case 0: return segment(mesh, k, Geodesic_distance(), Minimum_cut_method());
   case 1: return segment(mesh, k, Geodesic_distance(), Histogram_method());
@@ -74,7 +76,7 @@ void segment(const tool::Mesh& mesh, std::size_t method, std::size_t k)
 void fuzz(const std::string& bytes)
 {
   static const std::vector<std::string> extensions = {".off", ".obj", ".ply", ".stl"};
-  if(bytes.empty())
+  if (bytes.empty())
     return;
   const std::size_t choice = static_cast<unsigned char>(bytes[0]);
   const Temporary_mesh_file file(extensions[choice % 4], bytes.substr(1));
@@ -83,11 +85,11 @@ void fuzz(const std::string& bytes)
   {
     mesh = tool::read_mesh(file.name());
   }
-  catch(const tool::Error& error)
+  catch (const tool::Error& error)
   {
     require(std::string(error.what()).find(file.name()) == 0, "the error does not name the file");
     return;
   }
-  if(mesh.number_of_faces() <= maximum_number_of_faces)
+  if (mesh.number_of_faces() <= maximum_number_of_faces)
     segment(mesh, choice / 4 % 4, choice / 16);
 }

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Any bytes as a `.seg` file: read completely or refused with a reason, the labels then untouched; what was
@@ -24,7 +26,7 @@ void read_and_write(const Mesh& mesh, const std::string& text)
   const auto map = boost::make_iterator_property_map(ids.begin(), get(boost::face_index, mesh));
   std::istringstream in(text);
   const std::string problem = CGAL::Protrusion_segmentation::internal::read_segments(in, mesh, map);
-  if(!problem.empty())
+  if (!problem.empty())
   {
     require(ids == std::vector<Id>(ids.size(), before), "ids were written in spite of: " + problem);
     require(problem.find('\n') == std::string::npos, "the reason is longer than a line: " + problem);

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What the fuzz targets share. Each defines `fuzz()`, which ends the program if a guarantee is broken;
@@ -14,7 +16,7 @@ void fuzz(const std::string& bytes);
 
 inline void require(bool condition, const std::string& problem)
 {
-  if(condition)
+  if (condition)
     return;
   std::cerr << "a guarantee is broken: " << problem << std::endl;
   std::abort();

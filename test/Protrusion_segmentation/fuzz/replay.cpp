@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // replay FOLDER...: runs a fuzz target on all files of the folders.
@@ -11,8 +13,8 @@
 int main(int argc, char** argv)
 {
   std::size_t number_of_files = 0;
-  for(int i = 1; i < argc; ++i)
-    for(const auto& entry : std::filesystem::directory_iterator(argv[i]))
+  for (int i = 1; i < argc; ++i)
+    for (const auto& entry : std::filesystem::directory_iterator(argv[i]))
     {
       std::ifstream in(entry.path(), std::ios::binary);
       std::cout << entry.path().filename().string() << std::endl; // the last one is the culprit
