@@ -10,6 +10,7 @@ write_basic_package_version_file(
   ${CMAKE_CURRENT_BINARY_DIR}/Protrusion_segmentationConfigVersion.cmake
   COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES
+  cmake/Protrusion_segmentationComponents.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/Protrusion_segmentationConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/Protrusion_segmentationConfigVersion.cmake
   DESTINATION ${config_folder})

@@ -1,25 +1,28 @@
-# What every program of the package (example, test, benchmark) is compiled with. The package itself is
+# What every program of the package (tool, example, test, benchmark) is compiled with. The package itself is
 # headers only and asks nothing of this from its users.
 
-find_package(Eigen3 3.3 QUIET)
-include(CGAL_Eigen3_support OPTIONAL)
+include(${CMAKE_CURRENT_LIST_DIR}/Protrusion_segmentationComponents.cmake)
+set(components Eigen Spectra)
 if(PROTRUSION_SEGMENTATION_WITH_TBB)
-  find_package(TBB QUIET)
-  include(CGAL_TBB_support OPTIONAL)
+  list(APPEND components TBB)
 endif()
-find_path(SPECTRA_INCLUDE_DIR Spectra/SymEigsSolver.h)
-mark_as_advanced(SPECTRA_INCLUDE_DIR)
+# With VTK, CGAL reads .vtp files too.
+find_package(VTK QUIET COMPONENTS CommonCore CommonDataModel IOLegacy IOXML)
 
 add_library(protrusion_program INTERFACE)
 target_link_libraries(protrusion_program INTERFACE CGAL::Protrusion_segmentation)
-foreach(library CGAL::Eigen3_support CGAL::TBB_support)
-  if(TARGET ${library})
-    target_link_libraries(protrusion_program INTERFACE ${library})
+foreach(component ${components})
+  protrusion_segmentation_find_component(${component})
+  if(Protrusion_segmentation_${component}_FOUND)
+    target_link_libraries(protrusion_program INTERFACE CGAL::Protrusion_segmentation_${component})
   endif()
 endforeach()
 if(PROTRUSION_SEGMENTATION_STRICT_WARNINGS)
   target_compile_options(protrusion_program INTERFACE -Wall -Wextra -Werror)
 endif()
+# With more memory before it collects garbage, g++ takes a seventh less time.
+target_compile_options(protrusion_program INTERFACE
+  "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1000000>")
 if(PROTRUSION_SEGMENTATION_SANITIZERS)
   target_compile_options(protrusion_program INTERFACE
     -fsanitize=${PROTRUSION_SEGMENTATION_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer)

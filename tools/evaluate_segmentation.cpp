@@ -8,11 +8,15 @@
 // table for people, as JSON for programs. All scores are those of the program of the Princeton Segmentation
 // Benchmark, so that they can stand beside published ones.
 
-#include "include/tool_support.h"
+#include "command_line/tool_main.h"
+#include "reading/read_mesh.h"
+#include "reading/read_segmentation.h"
+#include "writing/write_output.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Metrics/rand_index_error_of_benchmark.h>
 #include <CGAL/segmentation_metrics.h>
 
+#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <iomanip>

@@ -1,3 +1,5 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // segment_by_protrusions INPUT [OPTION...]
@@ -5,13 +7,18 @@
 // Splits a surface mesh into a body and its protrusions, and writes the segments in any of several
 // formats.
 
-#include "include/tool_support.h"
-#include "tool/Output_files.h"
-#include "tool/Progress_bar.h"
-#include "tool/json.h"
-#include "tool/outputs.h"
-#include "tool/report.h"
-#include "tool/segment.h"
+#include "command_line/Error.h"
+#include "command_line/Progress_bar.h"
+#include "command_line/tool_main.h"
+#include "reading/read_mesh.h"
+#include "report/report.h"
+#include "segmentation/segment.h"
+#include "writing/Output_files.h"
+#include "writing/json.h"
+#include "writing/outputs.h"
+#include "writing/write_output.h"
+
+#include <CLI/CLI.hpp>
 
 #include <filesystem>
 #include <iomanip>
@@ -193,12 +200,11 @@ tool::Segmentation segment(const tool::Mesh& mesh, const Command_line& command_l
                        });
 }
 
-void print_summary(const Command_line& command_line,
-                   const tool::Segmentation& segmentation,
-                   const std::string& note)
+void print_summary(const Command_line& command_line, const tool::Findings& findings)
 {
-  if (!note.empty())
-    std::cerr << "segment_by_protrusions: " << command_line.input << ": " << note << std::endl;
+  const tool::Segmentation& segmentation = findings.segmentation;
+  if (!findings.note.empty())
+    std::cerr << "segment_by_protrusions: " << command_line.input << ": " << findings.note << std::endl;
   if (command_line.json == "-")
     return; // nothing else shall be on the standard output
   std::cout << command_line.input << ": " << segmentation.segment_ids.size() << " faces, "
@@ -215,23 +221,20 @@ void run(const Command_line& command_line)
 {
   check_outputs_can_be_written(command_line);
   const tool::Mesh mesh = tool::read_mesh(command_line.input);
-  const tool::Segmentation segmentation = segment(mesh, command_line);
-  const std::string note = note_on_number(command_line.options, segmentation);
+  tool::Findings findings = {command_line.input, command_line.options, segment(mesh, command_line), ""};
+  findings.note = note_on_number(findings.options, findings.segmentation);
 
   tool::Output_files files;
   for (const std::string& name : command_line.outputs)
-    tool::add_output(name, mesh, segmentation, files);
-  const auto record =
-      tool::describe(command_line.input, command_line.options, segmentation, note);
+    tool::add_output(name, mesh, findings.segmentation, files);
   if (!command_line.json.empty())
-    files.add(command_line.json, [&](std::ostream& out) { tool::write_json(out, record); });
+    files.add(command_line.json, [&](std::ostream& out) { tool::write_json(out, findings); });
   if (!command_line.report.empty())
-    files.add(command_line.report, [&](std::ostream& out) {
-      tool::write_report(out, record, mesh, segmentation.segment_ids);
-    });
+    files.add(command_line.report,
+              [&](std::ostream& out) { tool::write_report(out, mesh, findings); });
   files.publish();
   if (!command_line.is_quiet)
-    print_summary(command_line, segmentation, note);
+    print_summary(command_line, findings);
   tool::finish_standard_output();
 }
 

@@ -1,5 +1,5 @@
-# Installs the package into a folder of its own, then configures, builds and runs a project that finds it
-# there. The definitions BUILD_FOLDER, PROJECT_FOLDER, WORK_FOLDER, GENERATOR, CXX_COMPILER and OPTIONS come
+# Installs the package into a folder of its own, then configures, builds and runs projects that find it
+# there: one without components and one with all. The definitions BUILD_FOLDER, PROJECT_FOLDER, WORK_FOLDER, GENERATOR, CXX_COMPILER and OPTIONS come
 # from the command line.
 
 function(run)
@@ -8,15 +8,18 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK_FOLDER})
 run(${CMAKE_COMMAND} --install ${BUILD_FOLDER} --prefix ${WORK_FOLDER}/installed)
-run(${CMAKE_COMMAND} -S ${PROJECT_FOLDER} -B ${WORK_FOLDER}/build -G ${GENERATOR}
-    -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_BUILD_TYPE=Release
-    -DCMAKE_PREFIX_PATH=${WORK_FOLDER}/installed ${OPTIONS})
-run(${CMAKE_COMMAND} --build ${WORK_FOLDER}/build)
+foreach(project . with_components)
+  set(build_folder ${WORK_FOLDER}/build/${project})
+  run(${CMAKE_COMMAND} -S ${PROJECT_FOLDER}/${project} -B ${build_folder} -G ${GENERATOR}
+      -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_BUILD_TYPE=Release
+      -DCMAKE_PREFIX_PATH=${WORK_FOLDER}/installed ${OPTIONS})
+  run(${CMAKE_COMMAND} --build ${build_folder})
 
-# The headers must be the installed ones.
-file(READ ${WORK_FOLDER}/build/CMakeCache.txt cache)
-string(FIND "${cache}" "Protrusion_segmentation_DIR:PATH=${WORK_FOLDER}/installed" position)
-if(position EQUAL -1)
-  message(FATAL_ERROR "Another installation of the package was found")
-endif()
-run(${WORK_FOLDER}/build/my_program)
+  # The headers must be the installed ones.
+  file(READ ${build_folder}/CMakeCache.txt cache)
+  string(FIND "${cache}" "Protrusion_segmentation_DIR:PATH=${WORK_FOLDER}/installed" position)
+  if(position EQUAL -1)
+    message(FATAL_ERROR "Another installation of the package was found")
+  endif()
+  run(${build_folder}/my_program)
+endforeach()

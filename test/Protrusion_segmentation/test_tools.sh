@@ -1,4 +1,6 @@
 #!/bin/bash
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # test_tools.sh SEGMENT_BY_PROTRUSIONS EVALUATE_SEGMENTATION MAKE_EXAMPLE_MESH DATA_FOLDER WORK_FOLDER
@@ -71,7 +73,7 @@ expect_empty_folder()
 test_usage()
 {
   local mesh=$data/tetrahedron.off
-  for tool in "$segment" "$evaluate"; do
+  for tool in "$segment" "$evaluate" "$make_mesh"; do
     expect 0 "$tool" --help
     expect_text stdout "Usage"
     expect 2 "$tool"
@@ -94,6 +96,42 @@ test_usage()
     expect 2 "$segment" "$mesh" $arguments
   done
   expect_files . stdout stderr
+}
+
+# An OFF file of triangles: is each edge that of one face in each direction?
+is_closed_manifold()
+{
+  awk 'NR == 2 { faces = $2 }
+       NF == 4 && $1 == 3 && NR > 2 { for (i = 0; i < 3; ++i) ++times[$(2 + i) " " $(2 + (i + 1) % 3)]; ++found }
+       END { for (edge in times)
+             {
+               split(edge, v, " ")
+               if (times[edge] != 1 || times[v[2] " " v[1]] != 1)
+                 exit 1
+             }
+             exit found != faces || length(times) != 3 * faces }' "$1"
+}
+
+test_example_meshes()
+{
+  mkdir examples
+  local shape vertices faces handles
+  for shape in octopus teddy hand horse chair; do
+    for i in 1 2; do
+      expect 0 "$make_mesh" $shape "examples/$shape$i.off" --faces 2000
+    done
+    cmp -s examples/${shape}1.off examples/${shape}2.off || fail "$command: two runs differ"
+    is_closed_manifold examples/${shape}1.off || fail "$command: not closed or not manifold"
+    read -r vertices faces _ < <(sed -n 2p examples/${shape}1.off)
+    [ "$faces" -ge 2000 ] && [ "$faces" -le 2500 ] || fail "$command: $faces faces"
+    handles=0
+    [ $shape != chair ] || handles=1 # below the back
+    [ $((vertices - faces / 2)) = $((2 - 2 * handles)) ] || fail "$command: another number of handles"
+  done
+  expect 2 "$make_mesh" snail examples/snail.off
+  expect 1 "$make_mesh" teddy examples/missing/teddy.off --faces 1000
+  expect_one_line "examples/missing/teddy.off: cannot be written"
+  rm -r examples
 }
 
 test_outputs()
@@ -307,6 +345,7 @@ test_unwritable_outputs()
 code=0 command="" report_option=()
 touch stdout stderr
 test_usage
+test_example_meshes
 test_outputs
 test_report
 test_determinism

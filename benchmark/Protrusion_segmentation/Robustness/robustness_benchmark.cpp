@@ -12,7 +12,8 @@
 #include "markdown_tables.h"
 #include "peers.h"
 #include "protrusion_methods.h"
-#include "read_mesh.h"
+#include "reading/lower_case_extension.h"
+#include "reading/read_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/validation.h>

@@ -7,7 +7,7 @@
 
 #include "fuzz_target.h"
 
-#include "read_mesh.h"
+#include "reading/read_mesh.h"
 
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/validation.h>

@@ -1,0 +1,46 @@
+# protrusion_segmentation_find_component(NAME)
+#
+# Looks for a library that some headers of the package need, and defines the target
+# CGAL::Protrusion_segmentation_<NAME> if it is there:
+#
+#   Eigen     for Heat_distance.h (Debian: libeigen3-dev)
+#   Spectra   for Diffusion_distance.h, with Eigen (Debian: libspectra-dev)
+#   TBB       for computing with several threads (Debian: libtbb-dev)
+#
+# Sets Protrusion_segmentation_<NAME>_FOUND. CGAL has been found before. The targets are those of CGAL's
+# own support modules: by them CGAL knows, too, that the library may be used.
+
+macro(protrusion_segmentation_find_component name)
+  set(Protrusion_segmentation_${name}_FOUND FALSE)
+  set(protrusion_segmentation_needs)
+  if("${name}" STREQUAL "Eigen")
+    find_package(Eigen3 3.3 QUIET)
+    include(CGAL_Eigen3_support OPTIONAL)
+    set(protrusion_segmentation_needs CGAL::Eigen3_support)
+  elseif("${name}" STREQUAL "Spectra")
+    protrusion_segmentation_find_component(Eigen)
+    set(protrusion_segmentation_needs)
+    find_path(SPECTRA_INCLUDE_DIR Spectra/SymEigsSolver.h)
+    mark_as_advanced(SPECTRA_INCLUDE_DIR)
+    if(SPECTRA_INCLUDE_DIR)
+      set(protrusion_segmentation_needs CGAL::Protrusion_segmentation_Eigen)
+    endif()
+  elseif("${name}" STREQUAL "TBB")
+    find_package(TBB QUIET)
+    include(CGAL_TBB_support OPTIONAL)
+    set(protrusion_segmentation_needs CGAL::TBB_support)
+  endif()
+
+  if(protrusion_segmentation_needs AND TARGET ${protrusion_segmentation_needs})
+    set(Protrusion_segmentation_${name}_FOUND TRUE)
+    if(NOT TARGET CGAL::Protrusion_segmentation_${name})
+      add_library(CGAL::Protrusion_segmentation_${name} INTERFACE IMPORTED)
+      target_link_libraries(CGAL::Protrusion_segmentation_${name}
+        INTERFACE ${protrusion_segmentation_needs})
+      if("${name}" STREQUAL "Spectra")
+        target_include_directories(CGAL::Protrusion_segmentation_${name} SYSTEM
+          INTERFACE ${SPECTRA_INCLUDE_DIR})
+      endif()
+    endif()
+  endif()
+endmacro()

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROTRUSION_SEGMENTATION_TOOLS_COMMAND_LINE_PROGRESS_BAR_H
+#define PROTRUSION_SEGMENTATION_TOOLS_COMMAND_LINE_PROGRESS_BAR_H
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <iostream>
+#include <string>
+
+#ifdef _WIN32
+#include <io.h>
+#else
+#include <unistd.h>
+#endif
+
+namespace tool
+{
+
+inline bool is_standard_error_a_terminal()
+{
+#ifdef _WIN32
+  return _isatty(_fileno(stderr)) != 0;
+#else
+  return isatty(STDERR_FILENO) != 0;
+#endif
+}
+
+// One line on the standard error that is written over and over, and is gone in the end.
+class Progress_bar
+{
+public:
+  explicit Progress_bar(bool is_shown) : m_is_shown(is_shown) {}
+  Progress_bar(const Progress_bar&) = delete;
+  Progress_bar& operator=(const Progress_bar&) = delete;
+  ~Progress_bar() { clear(); }
+
+  // `share` of the work is done, in [0, 1]
+  void show(double share, const std::string& text)
+  {
+    const auto now = std::chrono::steady_clock::now();
+    const bool is_due = m_line_length == 0 || now - m_last_time > std::chrono::milliseconds(50);
+    if (!m_is_shown || !is_due)
+      return;
+    m_last_time = now;
+    const double clamped = std::clamp(share, 0., 1.);
+    const std::size_t filled = static_cast<std::size_t>(std::lround(clamped * width));
+    const std::string line = "[" + std::string(filled, '#') + std::string(width - filled, ' ') +
+                             "] " + std::to_string(std::lround(100 * clamped)) + " %  " + text;
+    overwrite(line);
+  }
+
+  void clear()
+  {
+    if (m_line_length > 0)
+    {
+      overwrite("");
+      std::cerr << '\r' << std::flush;
+    }
+  }
+
+private:
+  static constexpr std::size_t width = 30;
+
+  void overwrite(const std::string& line)
+  {
+    const std::size_t rest = m_line_length > line.size() ? m_line_length - line.size() : 0;
+    std::cerr << '\r' << line << std::string(rest, ' ') << std::flush;
+    m_line_length = line.size();
+  }
+
+  bool m_is_shown;
+  std::size_t m_line_length = 0;
+  std::chrono::steady_clock::time_point m_last_time;
+};
+
+} // namespace tool
+
+#endif // PROTRUSION_SEGMENTATION_TOOLS_COMMAND_LINE_PROGRESS_BAR_H

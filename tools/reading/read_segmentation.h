@@ -1,0 +1,23 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROTRUSION_SEGMENTATION_TOOLS_READING_READ_SEGMENTATION_H
+#define PROTRUSION_SEGMENTATION_TOOLS_READING_READ_SEGMENTATION_H
+
+#include "reading/Mesh.h"
+
+#include <cstddef>
+#include <string>
+
+namespace tool
+{
+
+using Segment_ids = Mesh::Property_map<Face, std::size_t>;
+
+// Reads a `.seg` file into a new property map of the mesh; or throws an `Error`.
+Segment_ids read_segmentation(const std::string& file_name, Mesh& mesh);
+
+} // namespace tool
+
+#endif // PROTRUSION_SEGMENTATION_TOOLS_READING_READ_SEGMENTATION_H

@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is asked of segment_by_protrusions, and what it finds.
+
+#ifndef PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_FINDINGS_H
+#define PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_FINDINGS_H
+
+#include "segmentation/Recorder.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace tool
+{
+
+// Those of the package, whose header takes long to compile.
+std::size_t default_number_of_eigenpairs();
+double default_diffusion_time();
+
+struct Segmentation_options
+{
+  std::optional<std::size_t> number_of_segments; // unset: as many as there are evident protrusions
+  std::string method = "minimum-cut"; // the package's own default
+  std::string distance = "geodesic";
+  std::string landmarks = "5%"; // a share of the faces, or a number of them
+  std::size_t eigenpairs = default_number_of_eigenpairs();
+  double time = default_diffusion_time();
+  unsigned int seed = 0;
+};
+
+struct Segmentation
+{
+  std::vector<std::size_t> segment_ids; // in the order of the faces
+  std::size_t number_of_segments = 0;
+  double seconds = 0; // without reading and writing files
+  Recorder record;
+};
+
+// All that is told of a run of segment_by_protrusions.
+struct Findings
+{
+  std::string input;
+  Segmentation_options options;
+  Segmentation segmentation;
+  std::string note; // empty, or why there are not as many segments as were asked for
+};
+
+} // namespace tool
+
+#endif // PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_FINDINGS_H

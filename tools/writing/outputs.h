@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The files that segment_by_protrusions writes a segmented mesh to.
+
+#ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_OUTPUTS_H
+#define PROTRUSION_SEGMENTATION_TOOLS_WRITING_OUTPUTS_H
+
+#include "reading/Mesh.h"
+#include "segmentation/Findings.h"
+#include "writing/Output_files.h"
+
+#include <string>
+#include <vector>
+
+namespace tool
+{
+
+// "name: description" of every format, chosen by the extension of a name.
+std::vector<std::string> output_formats();
+
+// Does the name have a "%d", for a file per segment?
+bool is_pattern(const std::string& name);
+
+// Throws std::invalid_argument if no file can have this name: an unknown extension, or a "%d" where
+// there can be none.
+void check_output_name(const std::string& name);
+
+void add_output(const std::string& name,
+                const Mesh& mesh,
+                const Segmentation& segmentation,
+                Output_files& files);
+
+} // namespace tool
+
+#endif // PROTRUSION_SEGMENTATION_TOOLS_WRITING_OUTPUTS_H

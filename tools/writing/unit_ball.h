@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_UNIT_BALL_H
+#define PROTRUSION_SEGMENTATION_TOOLS_WRITING_UNIT_BALL_H
+
+#include "reading/Mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace tool
+{
+
+// The ball around the bounding box of a mesh.
+struct Ball
+{
+  std::array<double, 3> center = {0, 0, 0};
+  double radius = 1;
+};
+
+// Halves are added, so that coordinates near the largest number do not overflow.
+inline Ball bounding_ball(const Mesh& mesh)
+{
+  Ball ball;
+  std::array<double, 3> half_extents = {0, 0, 0};
+  for (int c = 0; c < 3; ++c)
+  {
+    const auto less = [&](const auto& v, const auto& w)
+    { return mesh.point(v)[c] < mesh.point(w)[c]; };
+    const auto all = vertices(mesh);
+    const auto [low, high] = std::minmax_element(all.begin(), all.end(), less);
+    ball.center[c] = mesh.point(*low)[c] / 2 + mesh.point(*high)[c] / 2;
+    half_extents[c] = mesh.point(*high)[c] / 2 - mesh.point(*low)[c] / 2;
+  }
+  const double radius = std::hypot(half_extents[0], half_extents[1], half_extents[2]);
+  if (radius > 0 && std::isfinite(radius))
+    ball.radius = radius;
+  return ball;
+}
+
+// The coordinates of all vertices, moved so that the ball becomes the unit ball. There single precision
+// is enough for a picture.
+inline std::vector<float> positions_in_unit_ball(const Mesh& mesh, const Ball& ball)
+{
+  std::vector<float> result;
+  result.reserve(3 * mesh.number_of_vertices());
+  for (const auto v : vertices(mesh))
+    for (int c = 0; c < 3; ++c)
+      result.push_back(static_cast<float>((mesh.point(v)[c] - ball.center[c]) / ball.radius));
+  return result;
+}
+
+} // namespace tool
+
+#endif // PROTRUSION_SEGMENTATION_TOOLS_WRITING_UNIT_BALL_H
