@@ -66,8 +66,8 @@ void check_meanings(const CLI::App& app,
   for (const tool::Choice& choice : choices)
     for (const std::string& option : choice.options)
       if (choice.name != chosen && app.count(option) > 0)
-        throw std::invalid_argument(option + " has no meaning with " + chosen + ", only with " +
-                                    choice.name);
+        throw std::invalid_argument(option + " has no meaning with " + (chosen.empty() ? "the default" : chosen) +
+                                    ", only with " + choice.name);
 }
 
 void check_names(const Command_line& command_line)
@@ -121,10 +121,10 @@ void add_options(CLI::App& app, Command_line& command_line)
       ->check(CLI::IsMember(names(tool::methods())).description(""))
       ->type_name("NAME")
       ->capture_default_str();
-  app.add_option("--distance", options.distance, help("distance on the surface", tool::distances()))
+  app.add_option("--distance", options.distance,
+                 help("distance on the surface; default: geodesic for paper, for minimum-cut its own", tool::distances()))
       ->check(CLI::IsMember(names(tool::distances())).description(""))
-      ->type_name("NAME")
-      ->capture_default_str();
+      ->type_name("NAME");
   app.add_option("--landmarks", options.landmarks, "share or number of faces that are landmarks")
       ->type_name("N%|N")
       ->capture_default_str();

@@ -5,7 +5,9 @@
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_RECORDER_H
 #define PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_RECORDER_H
 
-#include <CGAL/Protrusion_segmentation/Default_visitor.h>
+#include "reading/Mesh.h"
+
+#include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
 
 #include <array>
 #include <chrono>
@@ -18,8 +20,7 @@
 namespace tool
 {
 
-using CGAL::Protrusion_segmentation::Protrusion;
-using CGAL::Protrusion_segmentation::Stage;
+using Protrusion = CGAL::Protrusion_segmentation::Protrusion<Face>;
 
 struct Stage_record
 {
@@ -28,7 +29,7 @@ struct Stage_record
 };
 
 // A visitor that keeps what it is told.
-class Recorder : public CGAL::Protrusion_segmentation::Default_visitor
+class Recorder : public CGAL::Protrusion_segmentation::Segmentation_visitor<Mesh>
 {
 public:
   // is called with the share that is done, the stage and the number of protrusions so far
@@ -37,38 +38,48 @@ public:
   explicit Recorder(Progress progress = {}) : m_progress(std::move(progress)) {}
 
   const std::vector<Protrusion>& protrusions() const { return m_protrusions; }
-  const std::array<Stage_record, 4>& stages() const { return m_stages; }
+  const std::array<Stage_record, 5>& stages() const { return m_stages; }
   std::size_t number_of_runs() const { return m_number_of_runs; }
   std::size_t number_of_eliminated_tips() const { return m_number_of_eliminated_tips; }
 
-  void stage_starts(Stage stage)
-  {
-    stop_clock();
-    m_running.push_back(static_cast<std::size_t>(stage));
-    show();
-  }
-  void stage_ends(Stage)
-  {
-    stop_clock();
-    m_running.pop_back();
-  }
-  void progress(double share)
+  void on_reading_begin() override { begin(0); }
+  void on_reading_end() override { end(); }
+  void on_preparation_begin() override { begin(1); }
+  void on_preparation_end() override { end(); }
+  void on_tips_begin() override { begin(2); }
+  void on_tips_end() override { end(); }
+  void on_borders_begin() override { begin(3); }
+  void on_borders_end() override { end(); }
+  void on_labels_begin() override { begin(4); }
+  void on_labels_end() override { end(); }
+  void on_progress(double share) override
   {
     m_share = share;
     show();
   }
-  void tip_eliminated(std::size_t) { ++m_number_of_eliminated_tips; }
-  void protrusion_found(const Protrusion& protrusion)
+  void on_eliminated_tip(Face) override { ++m_number_of_eliminated_tips; }
+  void on_protrusion(const Protrusion& protrusion) override
   {
     m_protrusions.push_back(protrusion);
     show();
   }
   // Runs are told when a segment or all is done, so they belong to no stage.
-  void distances_computed(std::size_t number_of_runs) { m_number_of_runs += number_of_runs; }
+  void on_distances(std::size_t number_of_runs) override { m_number_of_runs += number_of_runs; }
 
 private:
   using Clock = std::chrono::steady_clock;
 
+  void begin(std::size_t stage)
+  {
+    stop_clock();
+    m_running.push_back(stage);
+    show();
+  }
+  void end()
+  {
+    stop_clock();
+    m_running.pop_back();
+  }
   // Books the time since the last call on the innermost stage.
   void stop_clock()
   {
@@ -86,7 +97,7 @@ private:
   }
 
   Progress m_progress;
-  std::array<Stage_record, 4> m_stages = {{{"reading"}, {"tips"}, {"borders"}, {"labels"}}};
+  std::array<Stage_record, 5> m_stages = {{{"reading"}, {"preparation"}, {"tips"}, {"borders"}, {"labels"}}};
   std::vector<std::size_t> m_running; // stages, the innermost last
   Clock::time_point m_last_time;
   std::vector<Protrusion> m_protrusions;

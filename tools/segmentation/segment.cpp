@@ -14,8 +14,11 @@
 #include <charconv>
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <stdexcept>
-#include <variant>
+#include <string>
+#include <system_error>
+#include <vector>
 
 namespace tool
 {
@@ -24,10 +27,8 @@ namespace
 
 namespace PS = CGAL::Protrusion_segmentation;
 
-// A further method or distance is one more alternative here and one more line in a table below.
-using Border = std::variant<PS::Minimum_cut_method, PS::Histogram_method>;
-using Distance = std::variant<PS::Geodesic_distance, PS::Landmark_geodesic_distance,
-                              PS::Diffusion_distance, PS::Heat_distance, PS::Exact_geodesic_distance>;
+// Any method with its distance. A further one is one more line in a table below.
+using Segment = std::function<std::size_t(const Mesh&, std::vector<std::size_t>&, const Segmentation_options&, Recorder&)>;
 
 template <typename T>
 std::optional<T> parse(const std::string& text)
@@ -52,58 +53,73 @@ PS::Landmark_geodesic_distance landmark_distance(const std::string& landmarks)
                               "' is neither a number above 0 nor a share from above 0% to 100%");
 }
 
-template <typename Strategy>
+// What is chosen by name, made from the options.
+template <typename Made>
 struct Entry
 {
   Choice choice;
-  std::function<Strategy(const Segmentation_options&)> make;
+  Made make;
 };
 
-const std::vector<Entry<Border>>& border_table()
+template <typename Method>
+Segment segment_by(const Method& method)
 {
-  static const std::vector<Entry<Border>> table = {
-      {{"minimum-cut", "minimum cuts along concave seams", {}},
-       [](const Segmentation_options&) { return PS::Minimum_cut_method(); }},
-      {{"paper", "histograms of distances and of sectional diameters", {}},
-       [](const Segmentation_options&) { return PS::Histogram_method(); }}};
+  return [method](const Mesh& mesh, std::vector<std::size_t>& segment_ids, const Segmentation_options& options,
+                  Recorder& record)
+  {
+    const auto ids = boost::make_iterator_property_map(segment_ids.begin(), get(boost::face_index, mesh));
+    const auto np = CGAL::parameters::random_seed(options.seed).visitor(std::ref(record));
+    return options.number_of_segments
+               ? CGAL::segmentation_via_protrusion_tips(mesh, ids, *options.number_of_segments, method, np)
+               : CGAL::segmentation_via_protrusion_tips(mesh, ids, method, np);
+  };
+}
+
+// A method with a distance, or with its own.
+template <typename Method>
+struct Method_maker
+{
+  template <typename Distance>
+  Segment operator()(const Distance& distance) const
+  {
+    return segment_by(Method(distance));
+  }
+  Segment operator()() const { return segment_by(Method()); }
+};
+
+template <typename Method>
+Segment with_distance(const Segmentation_options& options)
+{
+  const Method_maker<Method> make;
+  if (options.distance.empty())
+    return make();
+  if (options.distance == "geodesic")
+    return make(PS::Geodesic_distance());
+  if (options.distance == "landmark")
+    return make(landmark_distance(options.landmarks));
+  if (options.distance == "diffusion")
+    return make(PS::Diffusion_distance(options.eigenpairs, options.time));
+  if (options.distance == "heat")
+    return make(PS::Heat_distance());
+  return make(PS::Exact_geodesic_distance());
+}
+
+using Maker = std::function<Segment(const Segmentation_options&)>;
+
+const std::vector<Entry<Maker>>& method_table()
+{
+  static const std::vector<Entry<Maker>> table = {
+      {{"minimum-cut", "minimum cuts along concave seams", {}}, with_distance<PS::Minimum_cut_method>},
+      {{"paper", "histograms of distances and of sectional diameters", {}}, with_distance<PS::Histogram_method>}};
   return table;
 }
 
-const std::vector<Entry<Distance>>& distance_table()
+Segment make(const Segmentation_options& options)
 {
-  static const std::vector<Entry<Distance>> table = {
-      {{"geodesic", "shortest paths in the face dual graph", {}},
-       [](const Segmentation_options&) { return PS::Geodesic_distance(); }},
-      {{"landmark", "the same by way of random landmarks", {"--landmarks"}},
-       [](const Segmentation_options& options) { return landmark_distance(options.landmarks); }},
-      {{"diffusion", "how differently random walks spread", {"--eigenpairs", "--time"}},
-       [](const Segmentation_options& options)
-       { return PS::Diffusion_distance(options.eigenpairs, options.time); }},
-      {{"heat", "over the faces, by the heat method", {}},
-       [](const Segmentation_options&) { return PS::Heat_distance(); }},
-      {{"exact", "over the faces, exactly; slow, for small meshes", {}},
-       [](const Segmentation_options&) { return PS::Exact_geodesic_distance(); }}};
-  return table;
-}
-
-template <typename Strategy>
-std::vector<Choice> choices(const std::vector<Entry<Strategy>>& table)
-{
-  std::vector<Choice> result;
-  for (const Entry<Strategy>& entry : table)
-    result.push_back(entry.choice);
-  return result;
-}
-
-template <typename Strategy>
-Strategy make(const std::vector<Entry<Strategy>>& table,
-              const std::string& name,
-              const Segmentation_options& options)
-{
-  for (const Entry<Strategy>& entry : table)
-    if (entry.choice.name == name)
+  for (const Entry<Maker>& entry : method_table())
+    if (entry.choice.name == options.method)
       return entry.make(options);
-  throw std::invalid_argument("there is no '" + name + "'");
+  throw std::invalid_argument("there is no '" + options.method + "'");
 }
 
 } // namespace
@@ -115,14 +131,24 @@ std::size_t default_number_of_eigenpairs()
 
 double default_diffusion_time() { return PS::Diffusion_distance::default_time(); }
 
-std::vector<Choice> methods() { return choices(border_table()); }
-std::vector<Choice> distances() { return choices(distance_table()); }
-
-void check_options(const Segmentation_options& options)
+std::vector<Choice> methods()
 {
-  make(border_table(), options.method, options);
-  make(distance_table(), options.distance, options);
+  std::vector<Choice> result;
+  for (const Entry<Maker>& entry : method_table())
+    result.push_back(entry.choice);
+  return result;
 }
+
+std::vector<Choice> distances()
+{
+  return {{"geodesic", "shortest paths in the face dual graph", {}},
+          {"landmark", "the same by way of random landmarks", {"--landmarks"}},
+          {"diffusion", "how differently random walks spread", {"--eigenpairs", "--time"}},
+          {"heat", "over the faces, by the heat method", {}},
+          {"exact", "over the faces, exactly; slow, for small meshes", {}}};
+}
+
+void check_options(const Segmentation_options& options) { make(options); }
 
 Segmentation
 segment(const Mesh& mesh, const Segmentation_options& options, const Recorder::Progress& progress)
@@ -130,21 +156,9 @@ segment(const Mesh& mesh, const Segmentation_options& options, const Recorder::P
   Segmentation result;
   result.record = Recorder(progress);
   result.segment_ids.resize(mesh.number_of_faces());
-  const auto ids =
-      boost::make_iterator_property_map(result.segment_ids.begin(), get(boost::face_index, mesh));
-  const auto run = [&](const auto& border, const auto& distance)
-  {
-    const auto np = CGAL::parameters::random_seed(options.seed).visitor(std::ref(result.record));
-    return options.number_of_segments
-               ? CGAL::segmentation_via_protrusion_tips(mesh, ids, *options.number_of_segments,
-                                                        distance, border, np)
-               : CGAL::segmentation_via_protrusion_tips(mesh, ids, distance, border, np);
-  };
-  const Border border = make(border_table(), options.method, options);
-  const Distance distance = make(distance_table(), options.distance, options);
-
+  const Segment run = make(options);
   const auto start = std::chrono::steady_clock::now();
-  result.number_of_segments = std::visit(run, border, distance);
+  result.number_of_segments = run(mesh, result.segment_ids, options, result.record);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -50,10 +50,10 @@ Json describe(const Protrusion& protrusion)
   Object object;
   object.add("segment", protrusion.segment)
       .add("parent", protrusion.parent)
-      .add("tip", protrusion.tip)
+      .add("tip", std::size_t(protrusion.tip))
       .add_if(protrusion.border_slot != Protrusion::no_slot(), "border_slot", protrusion.border_slot)
       .add("border_distance", protrusion.border_distance)
-      .add("score", protrusion.score)
+      .add("value", protrusion.value)
       .add("area", protrusion.area)
       .add("border_length", protrusion.border_length)
       .add("distance_histogram", protrusion.distance_histogram)
@@ -75,21 +75,26 @@ Json describe_all(const Range& range)
   return array;
 }
 
+Json describe_subtree(std::size_t segment, const std::vector<std::vector<std::size_t>>& children)
+{
+  Json array = Json::array();
+  for (std::size_t child : children[segment])
+    array.push_back(describe_subtree(child, children));
+  return Object().add("segment", segment).add("children", array).take();
+}
+
 // The nested protrusions as a tree for each connected component, whose body is the root. The children
-// are in the order in which they were cut off; a parent has a lower number than its children.
+// are in the order in which their borders were chosen.
 Json describe_hierarchy(const Segmentation& segmentation)
 {
-  std::vector<Json> nodes;
-  for (std::size_t s = 0; s < segmentation.number_of_segments; ++s)
-    nodes.push_back(Object().add("segment", s).add("children", Json::array()).take());
   const std::vector<Protrusion>& protrusions = segmentation.record.protrusions();
-  for (auto protrusion = protrusions.rbegin(); protrusion != protrusions.rend(); ++protrusion)
-  {
-    Json& siblings = nodes.at(protrusion->parent)["children"];
-    siblings.insert(siblings.begin(), std::move(nodes.at(protrusion->segment)));
-  }
-  nodes.resize(nodes.size() - protrusions.size());
-  return nodes;
+  std::vector<std::vector<std::size_t>> children(segmentation.number_of_segments);
+  for (const Protrusion& protrusion : protrusions)
+    children[protrusion.parent].push_back(protrusion.segment);
+  Json roots = Json::array();
+  for (std::size_t body = 0; body < segmentation.number_of_segments - protrusions.size(); ++body)
+    roots.push_back(describe_subtree(body, children));
+  return roots;
 }
 
 } // namespace
@@ -107,7 +112,7 @@ Json describe(const Findings& findings)
       .add("segments", segmentation.number_of_segments)
       .add_if(!findings.note.empty(), "note", findings.note)
       .add("method", options.method)
-      .add("distance", options.distance)
+      .add_if(!options.distance.empty(), "distance", options.distance)
       .add_if(options.distance == "landmark", "landmarks", options.landmarks)
       .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
       .add_if(options.distance == "diffusion", "time", options.time)

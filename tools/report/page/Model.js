@@ -30,23 +30,30 @@ class Model
     this.setLevel(this.maximum);
   }
 
-  // With one segment less, the last segment is given back to the one that it was cut from.
+  // With one segment less, the last segment is given to its parent, or to the nearest ancestor that is left.
   setLevel(numberOfSegments)
   {
     this.level = numberOfSegments;
     this.ancestors = new Uint32Array(this.maximum);
     for (let s = 0; s < this.maximum; ++s)
-      this.ancestors[s] = s < numberOfSegments ? s : this.ancestors[this.protrusions.get(s).parent];
+      this.ancestors[s] = this.ancestor(s);
     this.faceCounts = new Uint32Array(this.maximum);
     for (const segment of this.segments)
       ++this.faceCounts[this.ancestors[segment]];
+  }
+
+  ancestor(segment)
+  {
+    while (segment >= this.level)
+      segment = this.protrusions.get(segment).parent;
+    return segment;
   }
 
   segmentOfTriangle(triangle) { return this.ancestors[this.segments[this.faces[triangle]]]; }
 
   children(segment)
   {
-    return this.data.protrusions.filter(p => p.parent === segment && p.segment < this.level)
+    return this.data.protrusions.filter(p => p.segment < this.level && this.ancestors[p.parent] === segment)
       .map(p => p.segment);
   }
 

@@ -109,9 +109,9 @@ class Panel
   rowsOf(protrusion)
   {
     const hasSlot = protrusion.border_slot !== null;
-    const rows = [["cut from segment", protrusion.parent], ["tip at face", protrusion.tip],
-                  [hasSlot ? "prominence of the border" : "value of the cut", format(protrusion.score)],
-                  ["area when cut off", format(protrusion.area)],
+    const rows = [["sticks out of segment", this.model.ancestors[protrusion.parent]], ["tip at face", protrusion.tip],
+                  [hasSlot ? "prominence of the border" : "value of the cut", format(protrusion.value)],
+                  ["area beyond the border", format(protrusion.area)],
                   ["length of the border", format(protrusion.border_length)]];
     if (protrusion.border_distance > 0)
       rows.push(["distance of the border from the tip", format(protrusion.border_distance)]);
