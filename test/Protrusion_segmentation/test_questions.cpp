@@ -200,6 +200,20 @@ void check_default_method(const Mesh& mesh)
   check_stops(mesh, Minimum_cut_method());
 }
 
+// From given tips the stages are the same.
+template <typename Method>
+void check_given_tips(const Mesh& mesh, const Method& method)
+{
+  std::vector<Mesh::Face_index> tips;
+  CGAL::protrusion_tips(mesh, 4, std::back_inserter(tips));
+  Recorder<Mesh> recorder;
+  const auto np = parameters::visitor(std::ref(recorder));
+  checked(mesh,
+          [&](auto ids) { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, method, np); });
+  check_stages_and_progress(recorder);
+  CHECK(recorder.questions > tips.size());
+}
+
 struct Counting_observer : internal::Observer
 {
   bool go_further() override
@@ -234,6 +248,9 @@ int main()
   const Mesh mesh = to_graph<Mesh>(star(4));
   CHECK(mesh.number_of_faces() > 3000);
   check_default_method(mesh);
+  check_given_tips(mesh, Histogram_method());
+  check_given_tips(mesh, Minimum_cut_method());
+  check_given_tips(mesh, Minimum_cut_method(Geodesic_distance()));
   check_distance("geodesic", mesh, Geodesic_distance());
   check_distance("landmarks", mesh, Landmark_geodesic_distance(0.02));
   check_distance("diffusion", mesh, Diffusion_distance());
