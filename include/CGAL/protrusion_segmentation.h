@@ -347,6 +347,17 @@ std::size_t segmentation_from_protrusion_tips(const FaceGraph& tmesh,
                                                            Protrusion_segmentation::Minimum_cut_method(), np);
 }
 
+#ifndef DOXYGEN_RUNNING
+template <typename ConcurrencyTag = Sequential_tag, typename FaceGraph, typename FaceRange, typename SegmentMap, typename... Others>
+std::size_t segmentation_from_protrusion_tips(const FaceGraph&, const FaceRange&, SegmentMap, const Others&...)
+{
+  static_assert(sizeof...(Others) > 100,
+                "what follows segment_ids must be a method and then named parameters; a distance belongs to a method, as "
+                "in Histogram_method(Landmark_geodesic_distance(0.1))");
+  return 0;
+}
+#endif
+
 /*!
 \ingroup PkgProtrusionSegmentationRef
 

@@ -74,8 +74,8 @@ public:
       m_execution(execution),
       m_graphs(surface, policy, execution),
       m_partition(m_graphs.coarse.graph, std::vector<Index>(m_graphs.coarse.graph.number_of_nodes(), 0)),
-      m_search(m_partition, policy),
-      m_tip_orders(m_partition)
+      m_search(m_partition, policy, execution),
+      m_tip_orders(m_partition, execution)
   {
     Nodes all(m_graphs.coarse.graph.number_of_nodes());
     std::iota(all.begin(), all.end(), Index(0));

@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_SEARCH_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_SEARCH_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
@@ -33,9 +34,10 @@ public:
   using Index = Weighted_dual_graph::Index;
   using Nodes = Graph_partition::Nodes;
 
-  Cut_search(Graph_partition& partition, const Cut_policy& policy)
+  Cut_search(Graph_partition& partition, const Cut_policy& policy, Execution& execution)
     : m_partition(partition),
       m_policy(policy),
+      m_execution(execution),
       m_sweep(partition),
       m_rank(partition.graph().number_of_nodes()),
       m_kept(partition.graph().number_of_nodes()),
@@ -59,6 +61,7 @@ public:
     std::vector<Cut> cuts;
     for (const Nodes& inner : different_sets(segment, nodes, orders, level_sets(orders, segment_area), accept))
     {
+      m_execution.check();
       Cut cut = refined(segment, nodes, inner, segment_area);
       if (std::isfinite(cut.value))
         cuts.push_back(std::move(cut));
@@ -187,6 +190,7 @@ private:
 
   Graph_partition& m_partition;
   const Cut_policy& m_policy;
+  Execution& m_execution;
   Level_set_sweep m_sweep;
   std::vector<Index> m_rank;
   std::vector<std::uint32_t> m_kept; // which of the kept sets hold a node, a bit each

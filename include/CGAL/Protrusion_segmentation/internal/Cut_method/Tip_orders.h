@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_TIP_ORDERS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_TIP_ORDERS_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
 
@@ -27,12 +28,13 @@ public:
   using Index = Weighted_dual_graph::Index;
   using Nodes = Graph_partition::Nodes;
 
-  explicit Tip_orders(Graph_partition& partition)
-    : m_partition(partition), m_to_nearest_tip(partition.graph().number_of_nodes())
+  Tip_orders(Graph_partition& partition, Execution& execution)
+    : m_partition(partition), m_execution(execution), m_to_nearest_tip(partition.graph().number_of_nodes())
   {}
 
   Nodes_by_distance from_tip(Index segment, Index tip)
   {
+    m_execution.check();
     ++m_number_of_runs;
     return m_partition.nodes_by_distance(
       Nodes(1, tip), [&](Index i) { return m_partition.segment(i) == segment; },
@@ -87,6 +89,7 @@ private:
   }
 
   Graph_partition& m_partition;
+  Execution& m_execution;
   std::vector<double> m_to_nearest_tip;
   std::size_t m_number_of_runs = 0;
 };
