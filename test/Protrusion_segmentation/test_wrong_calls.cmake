@@ -2,17 +2,30 @@
 # must be in one of the first lines of the compiler's output that tell of an error; or it expects no error.
 #
 #   cmake -DCXX_COMPILER=... "-DFLAGS=-std=c++17;..." "-DINCLUDE_FOLDERS=...;..." -DSOURCE_FOLDER=.../wrong_calls
-#         -P test_wrong_calls.cmake
+#         -DWORK_FOLDER=... -P test_wrong_calls.cmake
 #
 # FLAGS and INCLUDE_FOLDERS are lists. For compilers that know the options of GCC.
 
 # A call may be instantiated in several ways; what is beyond these lines nobody reads.
 set(number_of_lines 3)
 
-set(arguments ${FLAGS} -fsyntax-only)
+set(arguments ${FLAGS})
 foreach(folder ${INCLUDE_FOLDERS})
   list(APPEND arguments -isystem ${folder})
 endforeach()
+
+# What all files include is compiled once, if the compiler is GCC: clang++ wants other options for that.
+execute_process(COMMAND ${CMAKE_COMMAND} -E make_directory ${WORK_FOLDER})
+execute_process(COMMAND ${CXX_COMPILER} --version OUTPUT_VARIABLE version)
+if(NOT version MATCHES "clang")
+  execute_process(COMMAND ${CXX_COMPILER} ${arguments} -x c++-header ${SOURCE_FOLDER}/mesh.h -o ${WORK_FOLDER}/mesh.h.gch
+    RESULT_VARIABLE failed)
+  if(failed)
+    message(FATAL_ERROR "mesh.h does not compile")
+  endif()
+  list(APPEND arguments -I ${WORK_FOLDER} -include mesh.h)
+endif()
+list(APPEND arguments -fsyntax-only)
 
 file(GLOB sources ${SOURCE_FOLDER}/*.cpp)
 list(LENGTH sources number_of_sources)
