@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The clues of cuts through boxes, cylinders, dumbbells and tori, where they are known.
+
+#include "check.h"
+#include "indexed_surfaces.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_clues.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
+
+using namespace test_meshes;
+using namespace CGAL::Protrusion_segmentation;
+using internal::Cut_clues;
+using internal::Graph_partition;
+
+// Lengths are stored in single precision.
+constexpr double precision = 1e-5;
+// Diffused normals are solved for to four digits.
+constexpr double precision_of_costs = 1e-3;
+
+// A mesh whose faces are the nodes of the graph, and segments, all faces in segment 0 at first.
+class Cut_mesh
+{
+public:
+  explicit Cut_mesh(const Test_mesh& mesh) : m_mesh(mesh), m_segments(mesh.faces.size(), 0)
+  {
+    const Indexed_surface surface = to_surface(mesh);
+    m_graph = internal::make_weighted_dual_graph(surface, internal::default_cut_policy(),
+                                                 quiet_execution());
+    std::vector<Index> node(mesh.faces.size());
+    std::iota(node.begin(), node.end(), Index(0));
+    internal::measure_volumes(surface, node, m_graph);
+  }
+
+  // The faces whose centroid is in a region become segment 1.
+  template <typename Region>
+  void cut_off(Region region)
+  {
+    for (const Index f : faces_in(0, region))
+      m_segments[f] = 1;
+  }
+
+  // Of the cut of segment 0 around the faces whose centroid is in a region.
+  template <typename Region>
+  Cut_clues clues(Region region) const
+  {
+    return clues_of_faces(faces_in(0, region));
+  }
+
+  Cut_clues clues_of_part(std::size_t part) const
+  {
+    Graph_partition::Nodes inner;
+    for (Index f = 0; f < m_segments.size(); ++f)
+      if (m_mesh.parts[f] == part)
+        inner.push_back(f);
+    return clues_of_faces(inner);
+  }
+
+private:
+  Cut_clues clues_of_faces(const Graph_partition::Nodes& inner) const
+  {
+    Graph_partition partition(m_graph, m_segments);
+    const Graph_partition::Nodes nodes = faces_in(0, [](const Point&) { return true; });
+    CHECK(!inner.empty() && inner.size() < nodes.size());
+    partition.mark(nodes, inner);
+    return internal::Clues_of_cut(partition, 0, nodes, inner, partition.area(nodes))();
+  }
+
+  template <typename Region>
+  Graph_partition::Nodes faces_in(Index segment, Region region) const
+  {
+    Graph_partition::Nodes result;
+    for (Index f = 0; f < m_segments.size(); ++f)
+      if (m_segments[f] == segment && region(centroid(m_mesh, m_mesh.faces[f])))
+        result.push_back(f);
+    return result;
+  }
+
+  Test_mesh m_mesh;
+  internal::Weighted_dual_graph m_graph;
+  std::vector<Index> m_segments;
+};
+
+auto below(std::size_t axis, double value)
+{
+  return [axis, value](const Point& p) { return p[axis] < value; };
+}
+
+double roundness(double opening, double length)
+{
+  return std::log(4 * pi * opening / (length * length) + 0.05);
+}
+
+double thickness(double volume, double area, double opening)
+{
+  return std::log(4 * volume / (area * std::sqrt(opening + 0.02 * area)));
+}
+
+// A bar of unit cubes, cut across in the middle.
+void a_straight_bar(int length, int width, int height)
+{
+  const double half_area = length * (width + height) + width * height;
+  const double girth = 2 * (width + height), opening = width * height;
+  const Cut_clues clues = Cut_mesh(box(length, width, height)).clues(below(0, length / 2));
+  CHECK_EQUAL(clues.concave_share, 0);
+  CHECK_CLOSE(clues.relative_length, std::log(girth / std::sqrt(half_area)), precision);
+  CHECK_CLOSE(clues.segment_size, 0, precision);
+  CHECK_CLOSE(clues.roundness, roundness(opening, girth), precision);
+  CHECK_EQUAL(clues.neighbors, 0);
+  CHECK_CLOSE(clues.thickness, thickness(opening * length / 2, half_area, opening), precision);
+  CHECK_EQUAL(clues.inner_concavity, 0);
+  CHECK_EQUAL(clues.several_loops, 0);
+  // nothing changes along the bar: rings of squares, as many as begin within the width of the strip
+  const double strip = 0.4 * std::sqrt(half_area);
+  CHECK_CLOSE(clues.larger_widening, std::log((std::floor(strip) + 1) / strip), precision);
+  CHECK_CLOSE(clues.smaller_widening, clues.larger_widening, precision);
+  CHECK_CLOSE(clues.mean_cost, std::log(1 + 0.02), precision_of_costs);
+  CHECK_CLOSE(clues.contrast, std::log(1 + 0.1), precision_of_costs);
+}
+
+// Not cut in the middle: the smaller side counts, whichever is the inner one.
+void sides_may_be_exchanged()
+{
+  const Cut_mesh bar(box(12, 2, 2));
+  const Cut_clues clues = bar.clues(below(0, 4));
+  CHECK_CLOSE(clues.relative_length, std::log(8 / std::sqrt(4 * 8 + 4)), precision);
+  CHECK_CLOSE(clues.thickness, thickness(4 * 4, 4 * 8 + 4, 4), precision);
+  const Cut_clues exchanged = bar.clues([](const Point& p) { return p[0] > 4; });
+  CHECK_CLOSE(clues.relative_length, exchanged.relative_length, precision);
+  CHECK_CLOSE(clues.thickness, exchanged.thickness, precision);
+  CHECK_CLOSE(clues.roundness, exchanged.roundness, precision);
+  CHECK_CLOSE(clues.contrast, exchanged.contrast, precision);
+  CHECK_CLOSE(clues.larger_widening, exchanged.larger_widening, precision);
+  CHECK_CLOSE(clues.smaller_widening, exchanged.smaller_widening, precision);
+}
+
+void round_openings_are_rounder_than_flat_ones()
+{
+  constexpr double slices = 31;
+  const double girth = 2 * slices * std::sin(pi / slices);
+  const double disk = slices / 2 * std::sin(2 * pi / slices), height = 8;
+  const Cut_clues clues = Cut_mesh(closed_cylinder(1, height, 0.2)).clues(below(2, height / 2));
+  const double half_area = girth * height / 2 + disk;
+  CHECK_CLOSE(clues.roundness, roundness(disk, girth), precision);
+  CHECK_CLOSE(clues.roundness, std::log(1.05), 0.01);
+  CHECK_CLOSE(clues.relative_length, std::log(girth / std::sqrt(half_area)), precision);
+  CHECK_CLOSE(clues.thickness, thickness(disk * height / 2, half_area, disk), precision);
+  CHECK_CLOSE(Cut_mesh(box(16, 8, 1)).clues(below(0, 8)).roundness,
+              std::log(4 * pi * 8 / (18. * 18) + 0.05), precision);
+}
+
+// Both cuts, and both openings, count together.
+void a_ring_is_cut_in_two_places()
+{
+  const Test_mesh ring = torus(2, 0.5, 48, 16);
+  const double girth = 16 * std::sin(pi / 16), disk = 2 * std::sin(2 * pi / 16);
+  const Cut_clues clues = Cut_mesh(ring).clues(below(1, 0));
+  CHECK_EQUAL(clues.several_loops, 1);
+  CHECK_CLOSE(clues.relative_length, std::log(2 * girth / std::sqrt(area(ring) / 2)), precision);
+  CHECK_CLOSE(clues.roundness, roundness(2 * disk, 2 * girth), precision);
+  CHECK_CLOSE(clues.thickness, thickness(volume(ring) / 2, area(ring) / 2, 2 * disk), precision);
+  CHECK_EQUAL(clues.neighbors, 0);
+}
+
+// Without a quarter of it, the ring is a tube, whose end is an earlier border as long as the cut.
+void a_cut_ring_is_a_tube()
+{
+  const Test_mesh ring = torus(2, 0.5, 48, 16);
+  Cut_mesh tube(ring);
+  tube.cut_off([](const Point& p) { return p[0] > 0 && p[1] > 0; });
+  const Cut_clues clues = tube.clues([](const Point& p) { return p[0] < 0 && p[1] > 0; });
+  CHECK_EQUAL(clues.several_loops, 0);
+  CHECK_CLOSE(clues.neighbors, std::log(2.), precision);
+  CHECK_CLOSE(clues.segment_size, std::log(0.75), precision);
+  CHECK_CLOSE(clues.relative_length, std::log(16 * std::sin(pi / 16) / std::sqrt(area(ring) / 4)),
+              precision);
+  // its middle is cut out by two loops, but touches no end
+  const Cut_clues middle = tube.clues([](const Point& p) { return p[0] < 0 && p[1] < 0; });
+  CHECK_EQUAL(middle.several_loops, 1);
+  CHECK_EQUAL(middle.neighbors, 0);
+}
+
+// Where a ball begins there is a seam, behind which the surface widens; on the bar there is neither.
+void a_dumbbell()
+{
+  constexpr double bar = 0.3, spacing = 0.1;
+  const Test_mesh mesh = dumbbell(1, 1, bar, 3, spacing);
+  const double ball = area_of_part(mesh, 1), girth = 63 * 2 * bar * std::sin(pi / 63);
+  const Cut_mesh cut_mesh(mesh);
+  const Cut_clues neck = cut_mesh.clues(below(2, 0)), middle = cut_mesh.clues(below(2, 1.5));
+  CHECK_CLOSE(neck.concave_share, 1, precision);
+  CHECK_EQUAL(middle.concave_share, 0);
+  CHECK_CLOSE(neck.relative_length, std::log(girth / std::sqrt(ball)), precision);
+  CHECK(neck.mean_cost < middle.mean_cost - 1);
+  CHECK(neck.contrast > middle.contrast + 1);
+  // the seam lies inside the smaller side of a cut through the bar
+  CHECK(middle.inner_concavity >= girth / std::sqrt(area(mesh) / 2) * (1 - precision));
+  // strips on a sphere and on the bar, up to a ring
+  const double strip = 0.4 * std::sqrt(ball), from = std::asin(bar);
+  const double zone = 2 * pi * (std::cos(from) - std::cos(from + strip));
+  CHECK_CLOSE(neck.larger_widening, std::log(zone / (2 * pi * bar * strip)), spacing / strip);
+  CHECK_CLOSE(neck.smaller_widening, 0, spacing / strip);
+  CHECK_CLOSE(middle.larger_widening, middle.smaller_widening, precision);
+}
+
+std::vector<double> values(const Cut_clues& c)
+{
+  return {c.concave_share,    c.relative_length, c.segment_size,    c.larger_widening,
+          c.smaller_widening, c.roundness,       c.neighbors,       c.contrast,
+          c.mean_cost,        c.thickness,       c.inner_concavity, c.several_loops};
+}
+
+std::vector<double> values_of_first_arm(const Test_mesh& mesh)
+{
+  return values(Cut_mesh(mesh).clues_of_part(1));
+}
+
+void scale_position_and_orientation_do_not_matter()
+{
+  const Test_mesh mesh = star(4);
+  const std::vector<double> expected = values_of_first_arm(mesh);
+  for (const double factor : {std::ldexp(1., -10), 64.})
+    CHECK(values_of_first_arm(scaled(mesh, factor)) == expected);
+  for (const Test_mesh& moved : {scaled(mesh, 1000), scaled(mesh, 1e-3), rotated(mesh, {1, 2, 3}, 1),
+                                 with_reversed_orientation(mesh), translated(mesh, {1, -2, 3})})
+  {
+    const std::vector<double> found = values_of_first_arm(moved);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+      CHECK_CLOSE(found[i], expected[i], precision_of_costs);
+  }
+}
+
+int main()
+{
+  a_straight_bar(10, 2, 2);
+  a_straight_bar(40, 3, 3);
+  a_straight_bar(30, 8, 1);
+  sides_may_be_exchanged();
+  round_openings_are_rounder_than_flat_ones();
+  a_ring_is_cut_in_two_places();
+  a_cut_ring_is_a_tube();
+  a_dumbbell();
+  scale_position_and_orientation_do_not_matter();
+  return check::result();
+}
