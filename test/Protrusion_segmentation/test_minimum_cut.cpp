@@ -11,6 +11,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Tip_orders.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 
 #include <numeric>
 
@@ -167,11 +168,13 @@ void both_sides_of_a_cut_are_connected(unsigned int seed)
 void best_cuts_of_a_star_are_its_arms()
 {
   const Test_mesh mesh = star(6);
-  const Weighted_dual_graph graph = weighted_dual_graph(to_surface(mesh));
+  const Indexed_surface surface = to_surface(mesh);
+  Weighted_dual_graph graph = weighted_dual_graph(surface);
   const Nodes nodes = all_nodes(graph);
+  internal::measure_volumes(surface, nodes, graph); // every face is a node
   Graph_partition partition(graph, std::vector<Index>(nodes.size(), 0));
-  internal::Cut_search search(partition, internal::default_cut_policy());
-  internal::Tip_orders tip_orders(partition);
+  internal::Cut_search search(partition, internal::default_cut_policy(), quiet_execution());
+  internal::Tip_orders tip_orders(partition, quiet_execution());
   const std::vector<internal::Cut> cuts = search.cuts(0, nodes, tip_orders.from_all_tips(0, nodes));
   // more than one, but not always all: the others are found in what remains
   constexpr std::size_t least_number = 3;

@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the hierarchy and the visitor tell of areas: the smaller side of a minimum cut is the protrusion.
+// What the hierarchy and the visitor tell of areas: what lies beyond the border of a minimum cut, seen from the body,
+// has at most half of the area of its component.
 
 #include "segmentations.h"
 #include "test_meshes.h"
@@ -24,22 +25,43 @@ struct Recorder : Segmentation_visitor<Mesh>
   std::vector<Protrusion<face_descriptor>> protrusions;
 };
 
-// Of each of the first k segments of the hierarchy.
+// Of every segment of a hierarchy.
 std::vector<double> areas_of_segments(const Test_mesh& soup,
                                       const Mesh& mesh,
-                                      const Segment_hierarchy& hierarchy,
-                                      std::size_t k)
+                                      const Segment_hierarchy& hierarchy)
 {
+  const std::size_t n = hierarchy.maximum_number_of_segments();
   Segment_ids<Mesh> ids(mesh);
-  hierarchy.segment_ids(mesh, k, ids.map());
+  hierarchy.segment_ids(mesh, n, ids.map());
   const Labels labels = ids.labels();
-  std::vector<double> areas(k, 0);
+  std::vector<double> areas(n, 0);
   for (std::size_t f = 0; f < labels.size(); ++f)
     areas[labels[f]] += face_area(soup, soup.faces[f]);
   return areas;
 }
 
-// Areas as they were when each protrusion was cut off, by the labels.
+// From a segment to the body of its component.
+std::vector<std::size_t> ancestors(const Segment_hierarchy& hierarchy, std::size_t segment)
+{
+  std::vector<std::size_t> result(1, segment);
+  while (hierarchy.parent(result.back()) != result.back() &&
+         result.size() <= hierarchy.maximum_number_of_segments())
+    result.push_back(hierarchy.parent(result.back()));
+  CHECK(result.back() < hierarchy.minimum_number_of_segments());
+  return result;
+}
+
+// Of every segment with all that sticks out of it, directly or not.
+std::vector<double> areas_beyond_borders(const Segment_hierarchy& hierarchy,
+                                         const std::vector<double>& areas)
+{
+  std::vector<double> result(areas.size(), 0);
+  for (std::size_t s = 0; s < areas.size(); ++s)
+    for (const std::size_t ancestor : ancestors(hierarchy, s))
+      result[ancestor] += areas[s];
+  return result;
+}
+
 template <typename Method>
 std::size_t check_areas(const Test_mesh& soup, const Method& method, bool is_smaller_side)
 {
@@ -52,41 +74,48 @@ std::size_t check_areas(const Test_mesh& soup, const Method& method, bool is_sma
     CGAL::parameters::visitor(std::ref(recorder)));
   CHECK_EQUAL(recorder.protrusions.size(),
               hierarchy.maximum_number_of_segments() - hierarchy.minimum_number_of_segments());
+  const std::vector<double> beyond = areas_beyond_borders(hierarchy,
+                                                          areas_of_segments(soup, mesh, hierarchy));
   for (std::size_t i = 0; i < recorder.protrusions.size(); ++i)
   {
     const auto& protrusion = recorder.protrusions[i];
     CHECK_EQUAL(protrusion.segment, hierarchy.minimum_number_of_segments() + i);
     CHECK_EQUAL(protrusion.parent, hierarchy.parent(protrusion.segment));
-    const std::vector<double> areas = areas_of_segments(soup, mesh, hierarchy, protrusion.segment + 1);
-    CHECK_CLOSE(areas.back(), protrusion.area, tolerance);
+    CHECK_CLOSE(beyond[protrusion.segment], protrusion.area, tolerance);
+    const std::size_t body = ancestors(hierarchy, protrusion.segment).back();
     if (is_smaller_side)
-      CHECK(areas.back() <= areas[protrusion.parent] + tolerance);
+      CHECK(2 * beyond[protrusion.segment] <= beyond[body] + tolerance);
   }
   return recorder.protrusions.size();
 }
 
-// The cut method's hierarchy holds the segmentation for every number; the other one's that for the last.
-void check_hierarchy(const Test_mesh& soup)
+// The segmentation for the largest number is the direct one; for smaller ones, segments that are no more belong to
+// the nearest ancestor that is left.
+template <typename Method>
+void check_hierarchy(const Test_mesh& soup, const Method& method)
 {
   const Mesh mesh = to_graph<Mesh>(soup);
-  const Histogram_method histogram;
-  const Segment_hierarchy hierarchy = CGAL::protrusion_hierarchy(mesh, 6, histogram);
-  Segment_ids<Mesh> ids(mesh);
-  hierarchy.segment_ids(mesh, hierarchy.maximum_number_of_segments(), ids.map());
+  const std::size_t number = (std::min)(std::size_t(6), soup.faces.size());
+  const Segment_hierarchy hierarchy = CGAL::protrusion_hierarchy(mesh, number, method);
   const Segmentation direct = checked(
-    mesh, [&](auto map) { return CGAL::segmentation_via_protrusion_tips(mesh, map, 6, histogram); });
+    mesh, [&](auto map) { return CGAL::segmentation_via_protrusion_tips(mesh, map, number, method); });
   CHECK_EQUAL(hierarchy.maximum_number_of_segments(), direct.number);
-  CHECK(ids.labels() == direct.labels);
-  for (std::size_t k = hierarchy.minimum_number_of_segments(); k < direct.number; ++k)
+  for (std::size_t k = hierarchy.minimum_number_of_segments(); k <= direct.number; ++k)
   {
-    const Segmentation coarser = checked(mesh,
-                                         [&](auto map)
-                                         {
-                                           hierarchy.segment_ids(mesh, k, map);
-                                           return k;
-                                         });
+    const Segmentation found = checked(mesh,
+                                       [&](auto map)
+                                       {
+                                         hierarchy.segment_ids(mesh, k, map);
+                                         return k;
+                                       });
+    std::vector<std::size_t> expected;
+    for (std::size_t s = 0; s < direct.number; ++s)
+    {
+      const std::vector<std::size_t> line = ancestors(hierarchy, s);
+      expected.push_back(*std::find_if(line.begin(), line.end(), [k](std::size_t a) { return a < k; }));
+    }
     for (std::size_t f = 0; f < direct.labels.size(); ++f)
-      CHECK(coarser.labels[f] == direct.labels[f] || direct.labels[f] >= k);
+      CHECK_EQUAL(found.labels[f], expected[direct.labels[f]]);
   }
 }
 
@@ -111,7 +140,8 @@ int main()
   {
     number += check_areas(mesh, Minimum_cut_method(), true);
     check_areas(mesh, Histogram_method(), false);
-    check_hierarchy(mesh);
+    check_hierarchy(mesh, Minimum_cut_method());
+    check_hierarchy(mesh, Histogram_method());
   }
   for (const Test_mesh& mesh : {star(5), creature(), dumbbell(), bumpy_sphere(3, 1)})
     number += check_areas(mesh, Minimum_cut_method(Geodesic_distance()), true);
