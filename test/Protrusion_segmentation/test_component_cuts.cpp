@@ -1,0 +1,322 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sets of cuts beside all sets of cuts and beside the greedy choice, and borders on the faces.
+
+#include "check.h"
+#include "indexed_surfaces.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Component_cuts.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Face_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/validation.h>
+
+using namespace test_meshes;
+using namespace CGAL::Protrusion_segmentation;
+using internal::Component_cuts;
+using internal::Cut_set;
+using internal::Graph_partition;
+using internal::Weighted_dual_graph;
+using Nodes = Graph_partition::Nodes;
+
+constexpr double rounding = 1e-12;
+
+struct Cuts_of_mesh
+{
+  explicit Cuts_of_mesh(const Test_mesh& mesh)
+    : surface(to_surface(mesh)),
+      cuts(surface, distance, quiet_execution(), internal::default_cut_policy())
+  {}
+
+  Indexed_surface surface;
+  std::optional<internal::Any_distance> distance;
+  Component_cuts cuts;
+};
+
+// The segment of every node of the coarse graph; every one has just one.
+std::vector<Index> labels_of_nodes(const Component_cuts& cuts, const Cut_set& set)
+{
+  std::vector<Index> labels(cuts.graphs().coarse.graph.number_of_nodes(), Indexed_surface::no_face());
+  for (std::size_t s = 0; s < set.segments.size(); ++s)
+    for (const Index i : cuts.pool()[set.segments[s]].nodes)
+    {
+      CHECK_EQUAL(labels[i], Indexed_surface::no_face());
+      labels[i] = Index(s);
+    }
+  CHECK_EQUAL(std::count(labels.begin(), labels.end(), Indexed_surface::no_face()), 0);
+  return labels;
+}
+
+std::vector<Index> labels_of_faces(const Component_cuts& cuts, const Cut_set& set)
+{
+  const std::vector<Index> of_nodes = labels_of_nodes(cuts, set);
+  std::vector<Index> result;
+  for (const Index node : cuts.graphs().coarse.node)
+    result.push_back(of_nodes[node]);
+  return result;
+}
+
+// Every segment has nodes and is connected.
+void check_segments(const Weighted_dual_graph& graph,
+                    const std::vector<Index>& labels,
+                    std::size_t number)
+{
+  std::vector<std::vector<std::size_t>> neighbors(graph.number_of_nodes());
+  for (Index i = 0; i < graph.number_of_nodes(); ++i)
+    for (const Index arc : graph.arcs(i))
+      neighbors[i].push_back(graph.target[arc]);
+  const std::vector<std::size_t> ids(labels.begin(), labels.end());
+  CHECK_EQUAL(internal::problem_with_segment_ids(ids, number).value_or("no problem"), "no problem");
+  CHECK_EQUAL(internal::problem_with_connectedness(neighbors, ids, number).value_or("no problem"),
+              "no problem");
+}
+
+// Every cut splits a segment that there is, and the values add up.
+void check_history(const Component_cuts& cuts, const Cut_set& set)
+{
+  std::set<Index> segments = {0};
+  double value = 0;
+  for (const Cut_set::Made_cut& cut : set.cuts)
+  {
+    CHECK_EQUAL(segments.erase(cut.segment), 1);
+    segments.insert(cut.inner);
+    segments.insert(cut.outer);
+    value += cut.value;
+    CHECK_EQUAL(cuts.pool()[cut.inner].nodes.size() + cuts.pool()[cut.outer].nodes.size(),
+                cuts.pool()[cut.segment].nodes.size());
+  }
+  CHECK_CLOSE(set.value, value, rounding);
+  CHECK(std::vector<Index>(segments.begin(), segments.end()) == set.segments);
+}
+
+void check_sets(const Test_mesh& mesh, std::size_t largest_number)
+{
+  Cuts_of_mesh of_mesh(mesh);
+  Component_cuts& cuts = of_mesh.cuts;
+  std::size_t number = 1;
+  for (; number <= largest_number && cuts.best(number); ++number)
+  {
+    const Cut_set set = *cuts.best(number);
+    CHECK_EQUAL(set.segments.size(), number);
+    CHECK_EQUAL(set.cuts.size(), number - 1);
+    check_history(cuts, set);
+    check_segments(cuts.graphs().coarse.graph, labels_of_nodes(cuts, set), number);
+  }
+  for (std::size_t k = number; k-- > 1;) // asked for again, in another order
+    CHECK_EQUAL(cuts.best(k)->segments.size(), k);
+}
+
+// As no segment has less than a four hundredth of the area, there is a largest number.
+void there_are_no_more_sets_than_there_are_cuts()
+{
+  for (const Test_mesh& mesh : {tetrahedron(), box(2, 2, 2), icosphere(1)})
+  {
+    Cuts_of_mesh of_mesh(mesh);
+    CHECK(of_mesh.cuts.best(1) != nullptr);
+    CHECK(of_mesh.cuts.best(mesh.faces.size() + 1) == nullptr);
+    CHECK(of_mesh.cuts.best(401) == nullptr);
+    CHECK(of_mesh.cuts.best(1) != nullptr);
+  }
+}
+
+// Where the true arms begin.
+void the_cuts_of_a_star_are_its_arms(std::size_t arms)
+{
+  const Test_mesh mesh = star(arms);
+  Cuts_of_mesh of_mesh(mesh);
+  const Cut_set set = *of_mesh.cuts.best(arms + 1);
+  std::set<Index> with_arm;
+  const std::vector<Index> labels = labels_of_faces(of_mesh.cuts, set);
+  for (std::size_t part = 0; part <= arms; ++part)
+  {
+    std::vector<double> areas(arms + 1, 0);
+    for (std::size_t f = 0; f < labels.size(); ++f)
+      areas[labels[f]] += mesh.parts[f] == part ? of_mesh.surface.area(Index(f)) : 0;
+    const auto largest = std::max_element(areas.begin(), areas.end());
+    CHECK(*largest > 0.9 * area_of_part(mesh, part));
+    with_arm.insert(Index(largest - areas.begin()));
+  }
+  CHECK_EQUAL(with_arm.size(), arms + 1);
+  for (const Cut_set::Made_cut& cut : set.cuts)
+    CHECK(cut.value > 0);
+  CHECK(of_mesh.cuts.best(arms + 2) == nullptr ||
+        of_mesh.cuts.best(arms + 2)->value - set.value < set.cuts.back().value);
+}
+
+// All cuts of any segment, as they are searched, but without a beam.
+class All_cuts
+{
+public:
+  explicit All_cuts(const Weighted_dual_graph& graph)
+    : m_partition(graph, std::vector<Index>(graph.number_of_nodes(), 0)),
+      m_search(m_partition, internal::default_cut_policy(), quiet_execution()),
+      m_tip_orders(m_partition, quiet_execution())
+  {
+    Nodes all(graph.number_of_nodes());
+    std::iota(all.begin(), all.end(), Index(0));
+    m_whole.segments.push_back(m_pool.find_or_add(std::move(all)));
+  }
+
+  // The largest value of all sets of that many cuts.
+  double largest_value(std::size_t number_of_cuts)
+  {
+    std::map<std::vector<Index>, Cut_set> sets = {{m_whole.segments, m_whole}};
+    for (std::size_t i = 0; i < number_of_cuts; ++i)
+      sets = extended(sets);
+    double largest = -infinity;
+    for (const auto& item : sets)
+      largest = (std::max)(largest, item.second.value);
+    return largest;
+  }
+
+  // Of the best cut of all, again and again.
+  double greedy_value(std::size_t number_of_cuts)
+  {
+    Cut_set set = m_whole;
+    for (std::size_t i = 0; i < number_of_cuts; ++i)
+    {
+      const std::vector<Cut_set> further = with_one_more_cut(set);
+      if (further.empty())
+        return -infinity;
+      set = *std::max_element(further.begin(), further.end(),
+                              [](const Cut_set& a, const Cut_set& b) { return a.value < b.value; });
+    }
+    return set.value;
+  }
+
+private:
+  // The better one of sets with the same segments.
+  std::map<std::vector<Index>, Cut_set> extended(const std::map<std::vector<Index>, Cut_set>& sets)
+  {
+    std::map<std::vector<Index>, Cut_set> result;
+    for (const auto& item : sets)
+      for (const Cut_set& set : with_one_more_cut(item.second))
+      {
+        const auto [found, is_new] = result.emplace(set.segments, set);
+        if (!is_new && found->second.value < set.value)
+          found->second = set;
+      }
+    return result;
+  }
+
+  std::vector<Cut_set> with_one_more_cut(const Cut_set& set)
+  {
+    std::vector<Cut_set> result;
+    for (const Index s : set.segments)
+      for (const internal::Cut& cut : cuts_of(s))
+      {
+        const auto [inner, outer] = m_pool.sides(s, cut.inner);
+        result.push_back(set.with({s, inner, outer, cut.value}));
+      }
+    return result;
+  }
+
+  const std::vector<internal::Cut>& cuts_of(Index s)
+  {
+    if (!m_pool[s].is_searched)
+    {
+      for (const Index i : m_pool[s].nodes)
+        m_partition.set_segment(i, s);
+      m_pool[s].cuts = m_search.cuts(s, m_pool[s].nodes, m_tip_orders.from_all_tips(s, m_pool[s].nodes));
+      m_pool[s].is_searched = true;
+    }
+    return m_pool[s].cuts;
+  }
+
+  Graph_partition m_partition;
+  internal::Cut_search m_search;
+  internal::Tip_orders m_tip_orders;
+  internal::Segment_pool m_pool;
+  Cut_set m_whole;
+};
+
+// Up to two cuts, the beam loses nothing on these shapes. With more it may, but is no worse than the greedy choice.
+void check_values(const Test_mesh& mesh, std::size_t largest_number)
+{
+  constexpr std::size_t most_cuts_of_all = 3; // a matter of seconds
+  Cuts_of_mesh of_mesh(mesh);
+  All_cuts all(of_mesh.cuts.graphs().coarse.graph);
+  for (std::size_t cuts = 1; cuts < largest_number && of_mesh.cuts.best(cuts + 1); ++cuts)
+  {
+    const double found = of_mesh.cuts.best(cuts + 1)->value;
+    CHECK(found >= all.greedy_value(cuts) - rounding);
+    if (cuts <= most_cuts_of_all)
+      CHECK(found <= all.largest_value(cuts) + rounding);
+    if (cuts <= 2)
+      CHECK_CLOSE(found, all.largest_value(cuts), rounding);
+  }
+}
+
+double cost_of_borders(const Weighted_dual_graph& graph, const std::vector<Index>& labels)
+{
+  double cost = 0;
+  for (Index f = 0; f < graph.number_of_nodes(); ++f)
+    for (const Index arc : graph.arcs(f))
+      cost += labels[f] != labels[graph.target[arc]] ? graph.capacity[arc] : 0;
+  return cost;
+}
+
+void borders_on_faces_keep_the_segments_connected(const Test_mesh& mesh, std::size_t largest_number)
+{
+  Cuts_of_mesh of_mesh(mesh);
+  const Weighted_dual_graph& graph = of_mesh.cuts.graphs().fine;
+  for (std::size_t k = 2; k <= largest_number && of_mesh.cuts.best(k); ++k)
+  {
+    const std::vector<Index> labels = labels_of_faces(of_mesh.cuts, *of_mesh.cuts.best(k));
+    check_segments(graph, labels, k);
+    internal::Face_borders borders(graph, labels, k);
+    CHECK(borders.labels() == labels);
+    borders.refine(quiet_execution());
+    check_segments(graph, borders.labels(), k);
+    CHECK(cost_of_borders(graph, borders.labels()) <= cost_of_borders(graph, labels) * (1 + 1e-6));
+  }
+}
+
+// Segments of the faces that are nearest to each of some faces.
+void random_segments_stay_connected(std::uint_fast32_t seed)
+{
+  const Test_mesh mesh = random_surface(seed);
+  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(
+    to_surface(mesh), internal::default_cut_policy(), quiet_execution());
+  const std::size_t number = 2 + seed % 5;
+  if (number_of_components(mesh) > 1 || mesh.faces.size() < number)
+    return;
+  Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
+  const std::vector<std::size_t> centers = random_permutation(mesh.faces.size(), seed);
+  std::vector<double> least(mesh.faces.size(), infinity);
+  std::vector<Index> labels(mesh.faces.size());
+  for (std::size_t s = 0; s < number; ++s)
+  {
+    const internal::Nodes_by_distance order = partition.nodes_by_distance(
+      Nodes(1, Index(centers[s])), [](Index) { return true; }, graph.lengths());
+    for (std::size_t i = 0; i < order.nodes.size(); ++i)
+      if (order.distances[i] < least[order.nodes[i]])
+      {
+        least[order.nodes[i]] = order.distances[i];
+        labels[order.nodes[i]] = Index(s);
+      }
+  }
+  check_segments(graph, labels, number);
+  internal::Face_borders borders(graph, labels, number);
+  borders.refine(quiet_execution());
+  check_segments(graph, borders.labels(), number);
+}
+
+int main()
+{
+  for (const Test_mesh& mesh : {star(4), creature(), torus(), bumpy_sphere(3, 1), sheet(20, 30)})
+    check_sets(mesh, 12);
+  there_are_no_more_sets_than_there_are_cuts();
+  for (const std::size_t arms : {1, 3, 6})
+    the_cuts_of_a_star_are_its_arms(arms);
+  check_values(star(3, 2, 0.25, 0.1, 0.4), 7);
+  check_values(star(5, 2, 0.25, 0.1, 0.4), 10);
+  check_values(creature(0.25), 12);
+  check_values(bumpy_sphere(3, 1), 8);
+  for (const Test_mesh& mesh : {star(5), creature(), torus(), bumpy_sphere(3, 1), sheet(20, 30)})
+    borders_on_faces_keep_the_segments_connected(mesh, 10);
+  for (std::uint_fast32_t seed = 0; seed < 100; ++seed)
+    random_segments_stay_connected(seed);
+  return check::result();
+}

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The default method judges every connected component by itself: whatever lies beside it, and whatever its scale,
+// side and numbering are.
+
+#include "check.h"
+#include "segmentations.h"
+#include "test_meshes.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+using namespace test_meshes;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+Segmentation segmentation(const Test_mesh& soup)
+{
+  const Mesh mesh = to_graph<Mesh>(soup);
+  return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids); });
+}
+
+Segmentation segmentation(const Test_mesh& soup, std::size_t k)
+{
+  const Mesh mesh = to_graph<Mesh>(soup);
+  return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k); });
+}
+
+// With arms of different lengths, so that no two cuts tie.
+const Test_mesh& figure()
+{
+  static const Test_mesh mesh = star(5, 2, 0.25, 0.1, 0.3);
+  return mesh;
+}
+
+// Beside each other, each with a scale of its own.
+Test_mesh figures(const std::vector<double>& scales)
+{
+  std::vector<Test_mesh> result;
+  double x = 0;
+  for (const double scale : scales)
+  {
+    x += 10 * scale;
+    result.push_back(translated(scaled(figure(), scale), {x, 0, 0}));
+    x += 10 * scale;
+  }
+  return merged(result);
+}
+
+// Of the i-th of several meshes with as many faces each.
+Labels partition_of_copy(const Labels& labels, std::size_t i, std::size_t number_of_faces)
+{
+  const auto begin = labels.begin() + std::ptrdiff_t(i * number_of_faces);
+  return as_partition(Labels(begin, begin + std::ptrdiff_t(number_of_faces)));
+}
+
+void check_copies(const Segmentation& found, const Segmentation& one, std::size_t number_of_copies)
+{
+  const std::size_t faces = one.labels.size();
+  CHECK_EQUAL(found.number, number_of_copies * one.number);
+  CHECK_EQUAL(found.labels.size(), number_of_copies * faces);
+  for (std::size_t i = 0; i < number_of_copies; ++i)
+    CHECK(partition_of_copy(found.labels, i, faces) == as_partition(one.labels));
+}
+
+void one_figure()
+{
+  const Segmentation found = segmentation(figure());
+  check_parts(figure(), found, 0.95);
+}
+
+void copies_side_by_side_are_segmented_alike()
+{
+  const Segmentation one = segmentation(figure());
+  check_copies(segmentation(figures({1, 1, 1})), one, 3);
+  check_copies(segmentation(figures({1, 4, 0.25})), one, 3);
+  check_copies(segmentation(figures({1, 10, 0.3})), one, 3);
+}
+
+// Every further segment goes to the component where it brings most.
+void every_copy_gets_its_share()
+{
+  for (const std::size_t k : {2, 4, 6})
+  {
+    const Segmentation one = segmentation(figure(), k);
+    check_copies(segmentation(figures({1, 1, 1}), 3 * k), one, 3);
+    check_copies(segmentation(figures({1, 4, 0.25}), 3 * k), one, 3);
+  }
+}
+
+void a_floor_is_one_segment_and_changes_nothing()
+{
+  const Segmentation one = segmentation(figure());
+  const double size = 20 * 6;
+  for (const std::size_t squares : {10, 40})
+  {
+    const Test_mesh floor = translated(
+      sheet(squares, squares, size / double(squares), size / double(squares)),
+      {-size / 2, -size / 2, -4});
+    const Segmentation found = segmentation(merged({floor, figure()}));
+    CHECK_EQUAL(found.number, one.number + 1);
+    const std::ptrdiff_t faces_of_floor = std::ptrdiff_t(floor.faces.size());
+    CHECK(as_partition(Labels(found.labels.begin(), found.labels.begin() + faces_of_floor)) ==
+          Labels(floor.faces.size(), 0));
+    CHECK(as_partition(Labels(found.labels.begin() + faces_of_floor, found.labels.end())) ==
+          as_partition(one.labels));
+  }
+}
+
+// The share of the area in faces on which two partitions agree, segments paired by their largest overlap.
+double agreement(const Test_mesh& mesh, const Labels& a, const Labels& b)
+{
+  Test_mesh labeled = mesh;
+  labeled.parts = b;
+  return share_in_true_parts(labeled, a);
+}
+
+// Other numbers and sums, so that a face along a border may change.
+constexpr double most = 0.99;
+
+void check_same(const Test_mesh& mesh, const Segmentation& found, const Segmentation& expected)
+{
+  CHECK_EQUAL(found.number, expected.number);
+  CHECK(agreement(mesh, found.labels, expected.labels) >= most);
+}
+
+void a_mirror_image_is_segmented_as_its_original()
+{
+  const Segmentation one = segmentation(figure());
+  const Segmentation found = segmentation(with_reversed_orientation(scaled(figure(), -1, 1, 1)));
+  check_same(figure(), found, one);
+}
+
+void scale_does_not_matter()
+{
+  for (const Test_mesh& mesh : {figure(), figures({1, 0.5})})
+  {
+    const Segmentation one = segmentation(mesh);
+    for (const double factor : {1000., 1e-3})
+      CHECK(as_partition(segmentation(scaled(mesh, factor)).labels) == as_partition(one.labels));
+    for (const double factor : {1024., 1. / 1024, std::ldexp(1., 200)})
+      CHECK(segmentation(scaled(mesh, factor)).labels == one.labels);
+  }
+}
+
+void the_order_of_the_faces_does_not_matter()
+{
+  const Segmentation one = segmentation(figure());
+  for (std::uint_fast32_t seed = 0; seed < 3; ++seed)
+  {
+    const std::vector<std::size_t> order = random_permutation(figure().faces.size(), seed);
+    const Segmentation found = segmentation(with_face_order(figure(), order));
+    CHECK_EQUAL(found.number, one.number);
+    for (std::size_t i = 0; i < order.size(); ++i)
+      CHECK_EQUAL(found.labels[i], one.labels[order[i]]);
+  }
+}
+
+int main()
+{
+  one_figure();
+  copies_side_by_side_are_segmented_alike();
+  every_copy_gets_its_share();
+  a_floor_is_one_segment_and_changes_nothing();
+  a_mirror_image_is_segmented_as_its_original();
+  scale_does_not_matter();
+  the_order_of_the_faces_does_not_matter();
+  return check::result();
+}
