@@ -156,7 +156,11 @@ void add_options(CLI::App& app, Command_line& command_line)
                      (tool::can_write_report() ? "" : std::string("; not here: ") + no_report))
       ->type_name("FILE");
   app.add_flag("--quiet", command_line.is_quiet, "print errors only");
-  app.callback([&]() { check(app, command_line); });
+  app.callback([&]() {
+    check(app, command_line);
+    if (options.distance.empty() && options.method == "paper")
+      options.distance = "geodesic";
+  });
 }
 
 void check_outputs_can_be_written(const Command_line& command_line)

@@ -112,7 +112,7 @@ Json describe(const Findings& findings)
       .add("segments", segmentation.number_of_segments)
       .add_if(!findings.note.empty(), "note", findings.note)
       .add("method", options.method)
-      .add_if(!options.distance.empty(), "distance", options.distance)
+      .add_if(!options.distance.empty(), "distance", options.distance) // none: the method's own
       .add_if(options.distance == "landmark", "landmarks", options.landmarks)
       .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
       .add_if(options.distance == "diffusion", "time", options.time)

@@ -39,14 +39,14 @@ public:
       for (Index s : {borders[b].first, borders[b].second})
         borders_of[s].push_back(b);
     const std::vector<double> own_areas = areas;
-    Index body = 0;
-    hang_up(body, borders, borders_of, own_areas);
-    for (Index next = heavy_child(body); next != body; next = heavy_child(body))
+    hang_up(m_body, borders, borders_of, own_areas);
+    // Of two halves that are equal but for rounding, each may be more than half seen from the other one.
+    Index last = m_body;
+    for (Index next = heavy_child(m_body); next != m_body && next != last; next = heavy_child(m_body))
     {
-      body = next;
-      hang_up(body, borders, borders_of, own_areas);
+      last = std::exchange(m_body, next);
+      hang_up(m_body, borders, borders_of, own_areas);
     }
-    m_body = body;
   }
 
   Index body() const { return m_body; }
