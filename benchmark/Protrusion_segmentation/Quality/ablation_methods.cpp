@@ -48,19 +48,25 @@ struct Without_choice_of_cheaper : Cut_policy
   bool prefers_minimum_cut(double, double) const override { return true; }
 };
 
+// One best cut after the other.
+struct Without_choosing_together : Cut_policy
+{
+  std::size_t number_of_sets() const override { return 1; }
+};
+
 struct Without_minimum_cut_on_faces : Cut_policy
 {
   bool moves_borders_on_faces() const override { return false; }
 };
 
-// Some clues have their means over the candidate cuts of half of the development models.
+// Some clues have their means over the candidate cuts of development models.
 struct Without_clues : Cut_policy
 {
   explicit Without_clues(std::vector<double Cut_clues::*> clues) : m_left_out(std::move(clues)) {}
 
   double probability(const Cut_clues& clues) const override
   {
-    constexpr Cut_clues mean = {0.54, 0.71, -1.77, 0.10, -0.24};
+    constexpr Cut_clues mean = {0.58, 0.69, -1.50, 0.13, -0.25, -0.25, 0.32, 1.22, -0.93, -0.68, 3.97, 0.09};
     Cut_clues others = clues;
     for (double Cut_clues::*clue : m_left_out)
       others.*clue = mean.*clue;
@@ -96,9 +102,17 @@ std::vector<Segmentation_method> ablation_methods()
   return {without("cost-of-seams", std::make_shared<Without_cost_of_seams>()),
           without("minimum-cuts", std::make_shared<Without_minimum_cuts>()),
           without("choice-of-cheaper", std::make_shared<Without_choice_of_cheaper>()),
+          without("choosing-together", std::make_shared<Without_choosing_together>()),
           without("minimum-cut-on-faces", std::make_shared<Without_minimum_cut_on_faces>()),
           without_clues("concave-share", {&Cut_clues::concave_share}),
           without_clues("relative-length", {&Cut_clues::relative_length}),
           without_clues("segment-size", {&Cut_clues::segment_size}),
-          without_clues("widening", {&Cut_clues::larger_widening, &Cut_clues::smaller_widening})};
+          without_clues("widening", {&Cut_clues::larger_widening, &Cut_clues::smaller_widening}),
+          without_clues("roundness", {&Cut_clues::roundness}),
+          without_clues("neighbors", {&Cut_clues::neighbors}),
+          without_clues("contrast", {&Cut_clues::contrast}),
+          without_clues("mean-cost", {&Cut_clues::mean_cost}),
+          without_clues("thickness", {&Cut_clues::thickness}),
+          without_clues("inner-concavity", {&Cut_clues::inner_concavity}),
+          without_clues("several-loops", {&Cut_clues::several_loops})};
 }

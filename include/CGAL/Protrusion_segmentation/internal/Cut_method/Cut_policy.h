@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_clues.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
@@ -42,6 +43,14 @@ public:
   virtual bool prefers_minimum_cut(double cost_of_level_set, double cost_of_minimum_cut) const
   {
     return cost_of_minimum_cut < cost_of_level_set;
+  }
+
+  // How many sets of cuts are kept while segments are added. With more, errors of the value are exploited: the Rand
+  // index error on the development models of the Princeton benchmark is .089 with three, and no lower with five.
+  virtual std::size_t number_of_sets() const
+  {
+    constexpr std::size_t number_of_sets = 3;
+    return number_of_sets;
   }
 
   // Whether a border becomes a minimum cut once more when it gets to the faces.
