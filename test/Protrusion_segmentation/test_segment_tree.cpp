@@ -112,6 +112,22 @@ void halves_are_protrusions()
   check_tree({0, 0, 0}, {{0, 1}, {1, 2}});
 }
 
+// Two halves of two segments each, the outer borders made before the middle one: with rounded sums, either half may
+// have more than half of the sum seen from the other one. That must not go on for ever.
+void rounded_halves_have_a_body()
+{
+  Random random(1);
+  for (int i = 0; i < 1000; ++i)
+  {
+    const double x = random.real(0, 1) / 3, y = random.real(0, 1) / 3; // all digits used
+    const Segment_tree tree({x, y, x, y}, {{0, 1}, {2, 3}, {0, 2}});
+    CHECK(tree.body() == 0 || tree.body() == 2);
+    const Index other = 2 - tree.body();
+    CHECK_EQUAL(tree.parent(other), tree.body());
+    CHECK_CLOSE(tree.area_beyond(other), x + y, 1e-15);
+  }
+}
+
 void random_trees(std::uint_fast32_t seed)
 {
   Random random(seed);
@@ -137,6 +153,7 @@ int main()
   the_body_of_a_path_holds_its_middle();
   the_centre_of_a_star_is_the_body_unless_an_arm_is_larger_than_the_rest();
   halves_are_protrusions();
+  rounded_halves_have_a_body();
   for (std::uint_fast32_t seed = 0; seed < 1000; ++seed)
     random_trees(seed);
   return check::result();
