@@ -223,7 +223,7 @@ test_determinism()
 # The name of the distance and of its own options, those of others are null.
 test_distances()
 {
-  local in=outputs/small.off distance
+  local in=outputs/small.off distance key
   expect 0 "$make_mesh" octopus $in --faces 1000
   for distance in geodesic landmark diffusion heat exact; do
     expect 0 "$segment" $in -k 3 --distance $distance --json -
@@ -232,6 +232,10 @@ test_distances()
     [ $distance = landmark ] || expect_text stdout '"landmarks": null'
     [ $distance = diffusion ] || expect_text stdout '"eigenpairs": null'
     [ $distance = diffusion ] || expect_text stdout '"time": null'
+  done
+  expect 0 "$segment" $in -k 3 --json - # the default method measures on a graph of its own
+  for key in '"method": "minimum-cut"' '"distance": null' '"border_slot": null' '"value": ' '"preparation"'; do
+    expect_text stdout "$key"
   done
   expect 0 "$segment" $in -k 3 --distance diffusion --eigenpairs 5 --time 0 --json -
   expect_text stdout '"eigenpairs": 5,'
