@@ -137,9 +137,12 @@ private:
   void advance()
   {
     std::vector<Cut_set> next;
-    for (const Cut_set& set : m_beam)
-      for (const auto& [segment, cut] : best_cuts(set))
-        next.push_back(set.with(made_cut(segment, m_pool[segment].cuts[cut])));
+    for (std::size_t i = 0; i < m_beam.size(); ++i)
+    {
+      m_execution.progress(static_cast<double>(i) / static_cast<double>(m_beam.size()));
+      for (const auto& [segment, cut] : best_cuts(m_beam[i]))
+        next.push_back(m_beam[i].with(made_cut(segment, m_pool[segment].cuts[cut])));
+    }
     std::stable_sort(next.begin(), next.end(),
                      [](const Cut_set& a, const Cut_set& b) { return a.value > b.value; });
     m_beam.clear();

@@ -13,10 +13,13 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Face_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -112,28 +115,51 @@ private:
       label = number[label];
   }
 
-  // For every cut the two leaves, on its two sides, with the longest common border: there it runs in the end.
+  // For every cut the two leaves with the longest common border among those on its two sides: there it runs in the end.
+  // Where other borders have moved in between, so that the two sides touch no more, it is the longest border that is left
+  // between leaves not connected yet. So each border joins neighbours, and whatever is given back in a hierarchy is
+  // connected.
   std::vector<Segment_tree::Border> borders() const
   {
     const std::map<Segment_tree::Border, double> lengths = border_lengths();
-    std::vector<Segment_tree::Border> result;
-    for (const Cut_set::Made_cut& cut : m_set.cuts)
+    std::vector<Segment_tree::Border> result(m_set.cuts.size());
+    std::vector<Index> joined(number_of_segments()); // leaves with equal numbers are connected by borders found so far
+    std::iota(joined.begin(), joined.end(), Index(0));
+    const auto join = [&](const Segment_tree::Border& border)
+    { std::replace(joined.begin(), joined.end(), Index(joined[border.second]), Index(joined[border.first])); };
+    std::vector<std::size_t> without_border;
+    for (std::size_t c = m_set.cuts.size(); c-- > 0;)
     {
-      Segment_tree::Border longest(m_leaves.at(cut.inner).front(), m_leaves.at(cut.outer).front());
-      double length = -1;
-      for (Index s : m_leaves.at(cut.inner))
-        for (Index t : m_leaves.at(cut.outer))
-        {
-          const auto found = lengths.find(std::minmax(s, t));
-          if (found != lengths.end() && found->second > length)
-          {
-            length = found->second;
-            longest = {s, t};
-          }
-        }
-      result.push_back(longest);
+      const auto& inner = m_leaves.at(m_set.cuts[c].inner);
+      const auto& outer = m_leaves.at(m_set.cuts[c].outer);
+      const auto has = [](const std::vector<Index>& leaves, Index s)
+      { return std::find(leaves.begin(), leaves.end(), s) != leaves.end(); };
+      const auto longest = longest_border(lengths, [&](Index s, Index t)
+                                          { return (has(inner, s) && has(outer, t)) || (has(inner, t) && has(outer, s)); });
+      if (longest)
+        join(result[c] = *longest);
+      else
+        without_border.push_back(c);
+    }
+    for (std::size_t c : without_border)
+    {
+      const auto longest = longest_border(lengths, [&](Index s, Index t) { return joined[s] != joined[t]; });
+      CGAL_assertion(longest.has_value()); // the surface is connected
+      join(result[c] = *longest);
     }
     return result;
+  }
+
+  // among the borders for whose two segments `accept(s, t)` holds
+  template <typename Accept>
+  static std::optional<Segment_tree::Border> longest_border(const std::map<Segment_tree::Border, double>& lengths,
+                                                            Accept accept)
+  {
+    std::optional<Segment_tree::Border> longest;
+    for (const auto& [border, length] : lengths)
+      if (accept(border.first, border.second) && (!longest || length > lengths.at(*longest)))
+        longest = border;
+    return longest;
   }
 
   // of every two neighbouring segments, the lower one first

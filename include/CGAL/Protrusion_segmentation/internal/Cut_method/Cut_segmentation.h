@@ -122,8 +122,11 @@ private:
   {
     std::size_t best = 1;
     double largest = 0;
-    for (std::size_t number = 2; m_cuts[c]->best(number) && gain(c, number - 1) > least_evident_value; ++number)
+    for (std::size_t number = 2;; ++number)
     {
+      const Next_segment progress(m_execution, number - 1, std::nullopt);
+      if (!m_cuts[c]->best(number) || !(gain(c, number - 1) > least_evident_value))
+        break;
       const double value = m_cuts[c]->best(number)->value - least_evident_value * static_cast<double>(number - 1);
       if (value > largest)
       {

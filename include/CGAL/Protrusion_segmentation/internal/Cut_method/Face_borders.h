@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/level_set_cuts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/minimum_cut.h>
 
 #include <algorithm>
@@ -77,11 +78,15 @@ private:
     for (Index f : m_faces[s])
       m_partition.set_segment(f, t);
     m_partition.mark(both, m_faces[s]);
-    const Nodes inner = refine_cut(m_partition, t, both, m_faces[s], band, m_number);
-    m_faces[s] = m_partition.connect_sides(both, t, inner);
-    m_faces[t].clear();
-    std::set_difference(both.begin(), both.end(), m_faces[s].begin(), m_faces[s].end(),
-                        std::back_inserter(m_faces[t]));
+    Nodes inner = refine_cut(m_partition, t, both, m_faces[s], band, m_number);
+    inner = m_partition.connect_sides(both, t, inner);
+    if (is_large_enough(m_partition.area(inner), m_partition.area(both))) // or else the border stays where it is
+    {
+      m_faces[s] = std::move(inner);
+      m_faces[t].clear();
+      std::set_difference(both.begin(), both.end(), m_faces[s].begin(), m_faces[s].end(),
+                          std::back_inserter(m_faces[t]));
+    }
     for (Index f : m_faces[s])
       m_partition.set_segment(f, s);
   }
