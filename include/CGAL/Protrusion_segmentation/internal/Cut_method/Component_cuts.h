@@ -139,7 +139,8 @@ private:
     std::vector<Cut_set> next;
     for (std::size_t i = 0; i < m_beam.size(); ++i)
     {
-      m_execution.progress(static_cast<double>(i) / static_cast<double>(m_beam.size()));
+      const double n = static_cast<double>(m_beam.size());
+      const Execution::Subtask subtask(m_execution, static_cast<double>(i) / n, static_cast<double>(i + 1) / n);
       for (const auto& [segment, cut] : best_cuts(m_beam[i]))
         next.push_back(m_beam[i].with(made_cut(segment, m_pool[segment].cuts[cut])));
     }
@@ -161,8 +162,10 @@ private:
   std::vector<std::pair<Index, std::size_t>> best_cuts(const Cut_set& set)
   {
     std::vector<std::pair<Index, std::size_t>> result;
-    for (Index s : set.segments)
+    for (std::size_t i = 0; i < set.segments.size(); ++i)
     {
+      m_execution.progress(static_cast<double>(i) / static_cast<double>(set.segments.size()));
+      const Index s = set.segments[i];
       search(s);
       for (std::size_t c = 0; c < (std::min)(m_pool[s].cuts.size(), cuts_of_set); ++c)
         result.emplace_back(s, c);
