@@ -268,9 +268,16 @@ def show(mesh, colors, name, shape, **size):
 
 def nested(workshop):
     """Fig. 1 of the paper: protrusions that have protrusions."""
-    for k in (2, 4, 8):
-        mesh, _, _ = workshop.segment("teddy", "--method", "minimum-cut", segments=k)
-        show(mesh, mesh.colors, f"nested_{k}.png", "teddy")
+    mesh, ids, record = workshop.segment("teddy", "--method", "minimum-cut", segments=8)
+    parent = {protrusion["segment"]: protrusion["parent"] for protrusion in record["protrusions"]}
+    color = dict(zip(ids, mesh.colors))
+    for k in (3, 6, 8):
+        colors = []
+        for segment in ids:
+            while segment >= k:
+                segment = parent[segment]
+            colors.append(color[segment])
+        show(mesh, colors, f"nested_{k}.png", "teddy")
 
 
 def tips(record):
