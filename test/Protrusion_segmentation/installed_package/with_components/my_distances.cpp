@@ -26,10 +26,9 @@ int main()
   CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
   auto segments = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   const std::size_t number_by_heat = CGAL::segmentation_via_protrusion_tips(
-      mesh, segments, 1, PS::Heat_distance(), PS::Minimum_cut_method());
-  const std::size_t number_by_diffusion = CGAL::segmentation_via_protrusion_tips(
-      mesh, segments, 1, PS::Diffusion_distance(3),
-      PS::Minimum_cut_method());
+      mesh, segments, 1, PS::Histogram_method(PS::Heat_distance()));
+  const std::size_t number_by_diffusion = CGAL::segmentation_via_protrusion_tips<CGAL::Parallel_tag>(
+      mesh, segments, 1, PS::Histogram_method(PS::Diffusion_distance(3)));
   std::cout << number_by_heat << " and " << number_by_diffusion << " segments" << std::endl;
   return number_by_heat == 1 && number_by_diffusion == 1 ? 0 : 1;
 }
