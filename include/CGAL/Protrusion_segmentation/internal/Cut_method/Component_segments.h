@@ -54,10 +54,6 @@ public:
   std::size_t number_of_segments() const { return m_set.segments.size(); }
   // the segment of every face
   const std::vector<Index>& labels() const { return m_labels; }
-  // of every segment; the body is its own
-  const std::vector<Index>& parents() const { return m_parents; }
-  // the value of the border of a segment, not the body
-  double value(Index segment) const { return m_values[segment]; }
 
   // All but the body; `tip` is a face of the component.
   std::vector<Protrusion<Index>> protrusions() const
@@ -228,7 +224,7 @@ private:
   std::vector<Index> m_labels;
   std::vector<Index> m_leaf_of_node;
   std::map<Index, std::vector<Index>> m_leaves; // in every segment of the pool that was one
-  std::vector<Index> m_parents;
+  std::vector<Index> m_parents; // of every segment; the body is its own
   std::vector<double> m_areas_beyond, m_values;
 };
 

@@ -31,21 +31,20 @@ public:
 
   // `areas`: of every segment
   Segment_tree(const std::vector<double>& areas, const std::vector<Border>& borders)
-    : m_parents(areas.size()), m_border_to_parent(areas.size()), m_areas(areas)
+    : m_parents(areas.size()), m_border_to_parent(areas.size())
   {
     CGAL_precondition(borders.size() + 1 == areas.size());
     std::vector<std::vector<std::size_t>> borders_of(areas.size());
     for (std::size_t b = 0; b < borders.size(); ++b)
       for (Index s : {borders[b].first, borders[b].second})
         borders_of[s].push_back(b);
-    const std::vector<double> own_areas = areas;
-    hang_up(m_body, borders, borders_of, own_areas);
+    hang_up(m_body, borders, borders_of, areas);
     // Of two halves that are equal but for rounding, each may be more than half seen from the other one.
     Index last = m_body;
     for (Index next = heavy_child(m_body); next != m_body && next != last; next = heavy_child(m_body))
     {
       last = std::exchange(m_body, next);
-      hang_up(m_body, borders, borders_of, own_areas);
+      hang_up(m_body, borders, borders_of, areas);
     }
   }
 
@@ -62,7 +61,7 @@ private:
   void hang_up(Index body,
                const std::vector<Border>& borders,
                const std::vector<std::vector<std::size_t>>& borders_of,
-               const std::vector<double>& own_areas)
+               const std::vector<double>& areas)
   {
     std::vector<Index> order(1, body);
     m_parents[body] = body;
@@ -77,7 +76,7 @@ private:
         order.push_back(s);
       }
     CGAL_assertion(order.size() == m_parents.size());
-    m_areas = own_areas;
+    m_areas = areas;
     for (std::size_t i = order.size(); i-- > 1;)
       m_areas[m_parents[order[i]]] += m_areas[order[i]];
   }
