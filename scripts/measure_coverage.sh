@@ -1,4 +1,6 @@
 #!/bin/bash
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # measure_coverage.sh BUILD_FOLDER
