@@ -15,12 +15,12 @@ cgal=${2:-/usr/include}/CGAL
 cd "$1" || exit 1
 name=Protrusion_segmentation
 failures=$(mktemp)
-trap 'rm -f "$failures"' EXIT
+trap 'rm -f "$failures" "$failures".*' EXIT
 
 # Fails for every line of the input.
 none()
 {
-  sed "s/^/$1: /" | tee -a "$failures"
+  awk -v wrong="$1" '{ print wrong ": " $0 }' | tee -a "$failures"
 }
 
 parts=(include test examples doc benchmark package_info)
@@ -49,39 +49,31 @@ for file in test/$name/CMakeLists.txt examples/$name/CMakeLists.txt benchmark/$n
 done
 
 find "${parts[@]}" -type f -perm /111 | none "is executable"
-for file in "${texts[@]}"; do
-  iconv -f UTF-8 -t UTF-8 "$file" >/dev/null 2>&1 || echo "$file" | none "is not UTF-8"
-done
+LC_ALL=C.UTF-8 grep -naxv '.*' "${texts[@]}" | cut -d: -f1,2 | none "is not UTF-8"
 grep -nP '\t' "${texts[@]}" | none "a tab"
 grep -nP '[ \t]$' "${texts[@]}" | none "a blank at the end of a line"
 grep -nP '\r$' "${texts[@]}" | none "a DOS line end"
-for file in "${texts[@]}"; do
-  [ -z "$(tail -c 1 "$file")" ] || echo "$file" | none "has no line end at its end"
-done
+perl -0777 -ne 'print "$ARGV\n" if /[^\n]\z/' "${texts[@]}" | none "has no line end at its end"
 
 # On Windows min and max may be macros. Comments and strings are left out.
 sed -E 's/"([^"\\]|\\.)*"/""/g; s://.*::' "${code[@]}" | sed '/\/\*/,/\*\//d' |
   grep -P '(^|[^\w.>])(std::|\w+::)*(min|max)\s*\(' | grep -vP '\(\s*[\w:<>]*(min|max)\s*\)\s*\(' | none "min or max without ( )"
 grep -nE '^ *# *define' "${headers[@]}" | grep -vE '# *define +CGAL_' | none "a macro that does not begin with CGAL_"
 
-for header in "${headers[@]}"; do
-  guard=$(sed 's#^include/##; s#[/.]#_#g' <<<"${header^^}" | sed 's#^INCLUDE_##')
-  [ "$(grep -cE "^#(ifndef|define) $guard\$" "$header")" = 2 ] || echo "$header: $guard" | none "has not its include guard"
-  grep -qE "^#endif // $guard\$" <(tail -n 1 "$header") || echo "$header: $guard" | none "does not end its include guard"
-done
+perl -0777 -ne '
+  (my $guard = uc $ARGV) =~ s{^INCLUDE/}{};
+  $guard =~ s{[/.]}{_}g;
+  print "$ARGV: $guard\n" unless /^#ifndef $guard\n#define $guard\n.*^#endif \/\/ $guard\n\z/ms' "${headers[@]}" |
+  none "has not its include guard"
 grep -hE '^#ifndef CGAL_.*_H$' "${code[@]}" | sort | uniq -d | none "an include guard of two files"
 
-for file in "${code[@]}"; do
-  [[ $file == doc/* ]] && continue
-  head -n 1 "$file" | grep -qE '^// Copyright \(c\) [0-9]{4}' || echo "$file" | none "has no copyright line"
-  head -n 9 "$file" | grep -q '^// SPDX-License-Identifier: GPL-3.0-or-later' || echo "$file" | none "has no SPDX line"
-done
+mapfile -t own < <(printf '%s\n' "${code[@]}" | grep -v '^doc/') # files of the manual have none in CGAL
+awk 'FNR == 1 && !/^\/\/ Copyright \(c\) [0-9][0-9][0-9][0-9]/ { print FILENAME }' "${own[@]}" | none "has no copyright line"
+grep -L '^// SPDX-License-Identifier: GPL-3.0-or-later' "${own[@]}" | none "has no SPDX line"
 if grep -q 'This file is part of CGAL' "${headers[0]}"; then # the form of CGAL
-  for header in "${headers[@]}"; do
-    for line in '// This file is part of CGAL (www.cgal.org).' '// $URL$' '// $Id$' '// Author(s)     : ' \
-      "#include <CGAL/license/$name.h>"; do
-      [ "$(grep -cF -- "$line" "$header")" = 1 ] || echo "$header: $line" | none "has not the line"
-    done
+  for line in '// This file is part of CGAL (www.cgal.org).' '// $URL$' '// $Id$' '// Author(s)     : ' \
+    "#include <CGAL/license/$name.h>"; do
+    grep -LF -- "$line" "${headers[@]}" | none "has no line '$line'"
   done
 else
   grep -lE 'part of CGAL|CGAL/license' "${code[@]}" | none "says that it is part of CGAL"
@@ -89,14 +81,13 @@ fi
 
 # Each .cpp belongs to a program that is named; each program has a line of its own.
 for part in test examples benchmark; do
-  find "$part/$name" -name '*.cpp' -printf '%P\n' | while read -r source; do
-    grep -qF "\"$source\"" "$part/$name/CMakeLists.txt" || echo "$part/$name/$source" | none "is not named in CMakeLists.txt"
-    [[ $source == */* ]] || grep -qE "^ *create_single_source_cgal_program\(\"$source\"" "$part/$name/CMakeLists.txt" ||
-      echo "$part/$name/$source" | none "has no program"
-  done
-  grep -oE '"[^"]+\.cpp"' "$part/$name/CMakeLists.txt" | tr -d '"' | while read -r source; do
-    [ -f "$part/$name/$source" ] || echo "$part/$name/$source" | none "does not exist, but is named in CMakeLists.txt"
-  done
+  list=$part/$name/CMakeLists.txt
+  (cd "$part/$name" && find . -name '*.cpp' | sed 's#^\./##' | sort) >"$failures.there"
+  grep -oE '"[^"]+\.cpp"' "$list" | tr -d '"' | sort -u >"$failures.named"
+  comm -23 "$failures.there" "$failures.named" | none "is not named in $list"
+  comm -13 "$failures.there" "$failures.named" | none "does not exist, but is named in $list"
+  grep -v / "$failures.there" |
+    grep -vxFf <(sed -nE 's/^ *create_single_source_cgal_program\("([^"]*)".*/\1/p' "$list") | none "has no program in $list"
   [ "$(awk '!/^ *(#|$)/ { print; exit }' "$part/$name/CMakeLists.txt")" = 'cmake_minimum_required(VERSION 3.12...3.31)' ] ||
     echo "$part/$name/CMakeLists.txt" | none "does not begin with cmake_minimum_required"
 done
@@ -115,7 +106,6 @@ done
 grep -hoE '#include <CGAL/[^>]*>' test/$name/include/all_public_headers.h | sort >"$failures.listed"
 printf '%s\n' "${headers[@]}" | grep -v /internal/ | sed -E 's#^include/(.*)#\#include <\1>#' | sort |
   comm -3 "$failures.listed" - | none "all_public_headers.h disagrees about"
-rm "$failures.listed"
 
 # Every named parameter that is documented is one of CGAL's.
 known=$(find "$cgal" -name parameters_interface.h -exec sed -nE 's/^CGAL_add_.*named_parameter.*, *([a-z_0-9]+)\)$/\1/p' {} +)
