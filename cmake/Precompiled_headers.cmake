@@ -30,14 +30,18 @@ function(protrusion_reuse_precompiled_headers folder)
   foreach(target ${targets})
     get_target_property(type ${target} TYPE)
     get_target_property(libraries ${target} LINK_LIBRARIES)
-    if(target MATCHES "^(precompiled_|test_headers_)" OR NOT type MATCHES "EXECUTABLE|_LIBRARY" OR type MATCHES "INTERFACE" OR NOT libraries MATCHES "protrusion_(program|mesh_reader|tool_support)")
+    # What is linked with Qt is compiled in another way, and a header that compiles alone does so without others.
+    if(target MATCHES "^(precompiled|test_headers)_" OR libraries MATCHES "Basic_viewer" OR
+       NOT type MATCHES "EXECUTABLE|STATIC_LIBRARY|OBJECT_LIBRARY" OR
+       NOT libraries MATCHES "protrusion_(program|mesh_reader|tool_support)")
       continue()
     endif()
     get_target_property(sources ${target} SOURCES)
     list(GET sources 0 source)
     get_target_property(source_folder ${target} SOURCE_DIR)
     get_filename_component(source ${source} ABSOLUTE BASE_DIR ${source_folder})
-    file(STRINGS ${source} includes REGEX "#include [<\"].*(segmentations|protrusion_segmentation|mesh_types|fuzz_target|mesh|all_public_headers)\\.h" LIMIT_COUNT 1)
+    file(STRINGS ${source} includes LIMIT_COUNT 1 REGEX
+      "#include [<\"]([^>\"]*/)?(protrusion_segmentation|all_public_headers|mesh|mesh_types|segmentations)\\.h")
     if(includes)
       target_precompile_headers(${target} REUSE_FROM precompiled_segmentations)
     else()
