@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -128,7 +129,7 @@ public:
     while (!m_heap.empty())
     {
       std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
-      const auto [distance, node] = m_heap.back();
+      const auto [distance, node] = entry(m_heap.back());
       m_heap.pop_back();
       if (distance > m_distances[node])
         continue;
@@ -138,7 +139,7 @@ public:
       result.distances.push_back(distance);
       for (Index arc : m_graph.arcs(node))
         if (is_inside(m_graph.target[arc]))
-          offer(m_graph.target[arc], distance + length(arc));
+          offer(m_graph.target[arc], distance + static_cast<float>(length(arc)));
     }
     return result;
   }
@@ -227,13 +228,29 @@ private:
     return largest;
   }
 
-  void offer(Index node, double distance)
+  // A distance and a node as one number: comparing them takes most of the time. Distances that are not negative are
+  // ordered as the bits of their representation.
+  static std::uint64_t key(float distance, Index node)
+  {
+    std::uint32_t bits;
+    std::memcpy(&bits, &distance, sizeof(bits));
+    return (static_cast<std::uint64_t>(bits) << 32) | node;
+  }
+  static std::pair<float, Index> entry(std::uint64_t key)
+  {
+    const std::uint32_t bits = static_cast<std::uint32_t>(key >> 32);
+    float distance;
+    std::memcpy(&distance, &bits, sizeof(distance));
+    return {distance, static_cast<Index>(key)};
+  }
+
+  void offer(Index node, float distance)
   {
     if (m_stamps[node] == m_stamp && m_distances[node] <= distance)
       return;
     m_stamps[node] = m_stamp;
     m_distances[node] = distance;
-    m_heap.emplace_back(distance, node);
+    m_heap.push_back(key(distance, node));
     std::push_heap(m_heap.begin(), m_heap.end(), std::greater<>());
   }
 
@@ -260,8 +277,8 @@ private:
   std::vector<bool> m_is_inner;
   std::vector<std::uint32_t> m_stamps; // the last operation that reached a node
   std::uint32_t m_stamp = 0;
-  std::vector<double> m_distances; // for the operation that reached it
-  std::vector<std::pair<double, Index>> m_heap;
+  std::vector<float> m_distances; // for the operation that reached it
+  std::vector<std::uint64_t> m_heap; // see `key()`
 };
 
 } // namespace internal

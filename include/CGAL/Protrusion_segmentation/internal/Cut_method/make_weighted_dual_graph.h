@@ -31,6 +31,16 @@ inline double signed_volume(const Indexed_surface& surface)
   return volume;
 }
 
+// The centre of gravity.
+inline Indexed_surface::Point_3 centroid(const Indexed_surface& surface)
+{
+  const Indexed_surface::Point_3 origin(0, 0, 0);
+  Indexed_surface::Vector_3 moment(0, 0, 0);
+  for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
+    moment += surface.area(f) * (surface.centroid(f) - origin);
+  return surface.area() > 0 ? origin + moment / surface.area() : origin;
+}
+
 // The dual graph of a surface with the weights of its seams. An edge is concave if the smoothed normals of
 // its two faces lean towards each other; which side is inside is decided by the sign of the volume.
 class Weighted_dual_graph_maker
@@ -43,6 +53,7 @@ public:
     : m_surface(surface),
       m_policy(policy),
       m_unit(surface.area() > 0 ? std::sqrt(surface.area()) : 1),
+      m_centre(centroid(surface)),
       m_outward(signed_volume(surface) < 0 ? -1 : 1),
       m_normals(smooth_normals(surface, normal_radius * m_unit, execution))
   {
@@ -55,8 +66,7 @@ public:
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
     {
       m_graph.area.push_back(m_surface.area(f) / (m_unit * m_unit));
-      m_graph.add_centre(Indexed_surface::Point_3(0, 0, 0) +
-                         (m_surface.centroid(f) - Indexed_surface::Point_3(0, 0, 0)) / m_unit);
+      m_graph.add_centre(Indexed_surface::Point_3(0, 0, 0) + (m_surface.centroid(f) - m_centre) / m_unit);
       for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
         if (m_surface.neighbor(c) != Indexed_surface::no_face())
           add_arc(f, c);
@@ -98,6 +108,7 @@ private:
   const Indexed_surface& m_surface;
   const Cut_policy& m_policy;
   double m_unit;
+  Indexed_surface::Point_3 m_centre;
   double m_outward;
   std::vector<Vector_3> m_normals;
   Weighted_dual_graph m_graph;
