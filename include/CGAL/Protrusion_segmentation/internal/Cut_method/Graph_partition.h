@@ -7,13 +7,13 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <iterator>
 #include <limits>
@@ -129,7 +129,8 @@ public:
     while (!m_heap.empty())
     {
       std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
-      const auto [distance, node] = entry(m_heap.back());
+      const float distance = float_of(m_heap.back());
+      const Index node = index_of(m_heap.back());
       m_heap.pop_back();
       if (distance > m_distances[node])
         continue;
@@ -228,29 +229,13 @@ private:
     return largest;
   }
 
-  // A distance and a node as one number: comparing them takes most of the time. Distances that are not negative are
-  // ordered as the bits of their representation.
-  static std::uint64_t key(float distance, Index node)
-  {
-    std::uint32_t bits;
-    std::memcpy(&bits, &distance, sizeof(bits));
-    return (static_cast<std::uint64_t>(bits) << 32) | node;
-  }
-  static std::pair<float, Index> entry(std::uint64_t key)
-  {
-    const std::uint32_t bits = static_cast<std::uint32_t>(key >> 32);
-    float distance;
-    std::memcpy(&distance, &bits, sizeof(distance));
-    return {distance, static_cast<Index>(key)};
-  }
-
   void offer(Index node, float distance)
   {
     if (m_stamps[node] == m_stamp && m_distances[node] <= distance)
       return;
     m_stamps[node] = m_stamp;
     m_distances[node] = distance;
-    m_heap.push_back(key(distance, node));
+    m_heap.push_back(float_key(distance, node));
     std::push_heap(m_heap.begin(), m_heap.end(), std::greater<>());
   }
 
@@ -278,7 +263,7 @@ private:
   std::vector<std::uint32_t> m_stamps; // the last operation that reached a node
   std::uint32_t m_stamp = 0;
   std::vector<float> m_distances; // for the operation that reached it
-  std::vector<std::uint64_t> m_heap; // see `key()`
+  std::vector<Float_key> m_heap; // comparing distances takes most of the time
 };
 
 } // namespace internal

@@ -10,7 +10,11 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 
+#include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
+
 #include <CGAL/number_utils.h>
+
+#include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +34,17 @@ struct Coarse_graph
   std::vector<Weighted_dual_graph::Index> node;
 };
 
+// The nodes by their areas, as far as single precision tells them apart, then by their numbers.
+inline std::vector<Float_key> by_area(const Weighted_dual_graph& graph)
+{
+  std::vector<Float_key> keys;
+  keys.reserve(graph.number_of_nodes());
+  for (Weighted_dual_graph::Index i = 0; i < graph.number_of_nodes(); ++i)
+    keys.push_back(float_key(static_cast<float>(graph.area[i]), i));
+  boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
+  return keys;
+}
+
 // Pairs every node with the neighbour to which it is tied strongest for its size, small nodes first, as long
 // as the pair is no larger than `largest_area`, and no more pairs than `wanted`. Returns for every node the
 // number of its pair, and how many there are. `ties`: of every arc.
@@ -42,13 +57,11 @@ inline std::pair<std::vector<Weighted_dual_graph::Index>, Weighted_dual_graph::I
   using Index = Weighted_dual_graph::Index;
   const Index n = graph.number_of_nodes();
   const Index unmatched = Indexed_surface::no_face();
-  std::vector<Index> partner(n, unmatched), by_area(n);
-  std::iota(by_area.begin(), by_area.end(), Index(0));
-  std::sort(by_area.begin(), by_area.end(), [&](Index a, Index b)
-            { return graph.area[a] != graph.area[b] ? graph.area[a] < graph.area[b] : a < b; });
+  std::vector<Index> partner(n, unmatched);
   Index pairs = 0;
-  for (Index i : by_area)
+  for (const Float_key key : by_area(graph))
   {
+    const Index i = index_of(key);
     if (partner[i] != unmatched || pairs == wanted)
       continue;
     double strongest = -1;
