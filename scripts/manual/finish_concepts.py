@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the pages of concepts, which Doxygen takes for classes, say that they are concepts.
 
-    doc/finish_concepts.py FOLDER
+    scripts/manual/finish_concepts.py FOLDER
 
 FOLDER is the HTML output of Doxygen. There is no header to include for a concept. In CGAL's tree, CGAL's own
 scripts do this.
@@ -14,7 +14,7 @@ import pathlib
 import re
 import sys
 
-CONCEPTS = pathlib.Path(__file__).resolve().parent / "Protrusion_segmentation/Concepts"
+CONCEPTS = pathlib.Path(__file__).resolve().parents[2] / "doc/Protrusion_segmentation/Concepts"
 INCLUDE = re.compile(r"<p><code>#include [^\n]*</code></p>\n")
 
 for concept in CONCEPTS.glob("*.h"):

@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the figures of the user manual from the output of the package's own tools.
 
-    doc/make_figures.py FOLDER [--only NAME...]
+    scripts/manual/make_figures.py FOLDER [--only NAME...]
 
 FOLDER, or a folder in it, holds the programs segment_by_protrusions and make_example_mesh, for instance
 build/demo. Needed besides, all from Debian: f3d and xvfb, which
@@ -21,7 +21,7 @@ import struct
 import subprocess
 import tempfile
 
-FIGURES = pathlib.Path(__file__).resolve().parent / "Protrusion_segmentation/fig"
+FIGURES = pathlib.Path(__file__).resolve().parents[2] / "doc/Protrusion_segmentation/fig"
 FACES = 16000
 
 # the number of segments, and where the camera stands as seen from the shape

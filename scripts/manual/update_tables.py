@@ -35,7 +35,7 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 MANUAL = ROOT / "doc/Protrusion_segmentation/Protrusion_segmentation.txt"
 README = ROOT / "README.md"
 EXAMPLES = ROOT / "examples/Protrusion_segmentation"
@@ -153,7 +153,7 @@ def main():
         old = file.read_text(encoding="utf-8")
         new = update(old)
         if arguments.check and new != old:
-            errors.append(f"{file.relative_to(ROOT)} is out of date: run doc/update_tables.py")
+            errors.append(f"{file.relative_to(ROOT)} is out of date: run scripts/manual/update_tables.py")
         elif new != old:
             file.write_text(new, encoding="utf-8")
     sys.exit("\n".join(errors) or 0)

@@ -4,7 +4,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails if a page of the built manual refers to a page, an anchor or a picture that is not there.
 
-    doc/check_links.py HTML_FOLDER
+    scripts/manual/check_links.py HTML_FOLDER
 """
 
 import html.parser
