@@ -156,38 +156,42 @@ public:
 
   Multilevel_diffusion(double radius, Execution& execution) : m_radius(radius), m_execution(execution) {}
 
-  void operator()(const Weighted_dual_graph& graph, Values& values) const { diffuse(graph, 1, values); }
+  // Diffusion for a time t has the variance 4 t, the mean over a disc half the square of its radius.
+  void operator()(const Weighted_dual_graph& graph, Values& values) const
+  {
+    diffuse(graph, 1, CGAL::square(m_radius) / 8, values);
+  }
 
 private:
   // Groups are no larger than that share of the radius.
   static constexpr double largest_group = 1. / 6;
 
   // `scale`: of the conductances, see `energy()`
-  void diffuse(const Weighted_dual_graph& graph, double scale, Values& values) const
+  void diffuse(const Weighted_dual_graph& graph, double scale, double time, Values& values) const
   {
     const double least_number_of_groups = 1 / CGAL::square(largest_group * m_radius);
     if (graph.number_of_nodes() < 2 * least_number_of_groups)
     {
-      diffuse_twice(graph, scale, values);
+      diffuse_twice(graph, scale, time, values);
       return;
     }
     const Coarse_graph groups =
       coarsen(graph, static_cast<Index>((std::max)(graph.number_of_nodes() / 4., least_number_of_groups)), m_execution,
               &Weighted_dual_graph::border_length);
     Values means = means_of_groups(graph, groups, values);
-    diffuse(groups.graph, scale * energy(graph) / energy(groups.graph), means);
+    const double time_between_groups = 1. / groups.graph.number_of_nodes(); // over about the size of a group
+    diffuse(groups.graph, scale * energy(graph) / energy(groups.graph), time - time_between_groups, means);
     for (Index i = 0; i < graph.number_of_nodes(); ++i)
       values[i] = means[groups.node[i]];
     constexpr double tolerance = 1e-2;
-    Diffusion(graph, 1. / groups.graph.number_of_nodes(), scale)(values, tolerance, m_execution);
+    Diffusion(graph, time_between_groups, scale)(values, tolerance, m_execution);
   }
 
-  void diffuse_twice(const Weighted_dual_graph& graph, double scale, Values& values) const
+  void diffuse_twice(const Weighted_dual_graph& graph, double scale, double time, Values& values) const
   {
-    // Two steps of diffusion have together the variance of the mean over a disc of that radius.
-    constexpr int steps = 2;
+    constexpr int steps = 2; // which is nearer to a disc than one
     constexpr double tolerance = 1e-4; // normals need no more
-    Diffusion diffusion(graph, CGAL::square(m_radius) / (8 * steps), scale);
+    Diffusion diffusion(graph, time / steps, scale);
     for (int step = 0; step < steps; ++step)
     {
       m_execution.progress(static_cast<double>(step) / steps);
