@@ -11,7 +11,9 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -24,16 +26,69 @@ Weighted_dual_graph weighted_dual_graph(const Indexed_surface& surface)
   return internal::make_weighted_dual_graph(surface, internal::default_cut_policy(), quiet_execution());
 }
 
+internal::Diffusion::Values normals_of_faces(const Indexed_surface& surface)
+{
+  internal::Diffusion::Values normals;
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+  {
+    const Indexed_surface::Vector_3 normal = surface.area_vector(f) / surface.area(f);
+    normals.push_back({float(normal.x()), float(normal.y()), float(normal.z())});
+  }
+  return normals;
+}
+
 void smoothed_normals_of_a_sphere_point_outward()
 {
   const Indexed_surface surface = to_surface(jittered(icosphere(4), 0.005, 1));
-  const auto normals = internal::smooth_normals(surface, 0.03 * std::sqrt(surface.area()),
-                                                quiet_execution());
+  const auto normals =
+    internal::smooth_normals(weighted_dual_graph(surface), normals_of_faces(surface), 0.03, quiet_execution());
   for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
     const Indexed_surface::Vector_3 radius = surface.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
-    CHECK_CLOSE(normals[f].squared_length(), 1, 1e-12);
-    CHECK(normals[f] * radius > 0.98 * std::sqrt(radius.squared_length()));
+    const Indexed_surface::Vector_3 normal(normals[f][0], normals[f][1], normals[f][2]);
+    CHECK_CLOSE(normal.squared_length(), 1, 1e-6);
+    CHECK(normal * radius > 0.98 * std::sqrt(radius.squared_length()));
+  }
+}
+
+// The same average, the long way.
+internal::Diffusion::Values average_without_groups(const Weighted_dual_graph& graph,
+                                                   internal::Diffusion::Values values,
+                                                   double radius)
+{
+  internal::Diffusion diffuse(graph, radius * radius / 16);
+  for (int step = 0; step < 2; ++step)
+    diffuse(values, 1e-5, quiet_execution());
+  return values;
+}
+
+// Where faces are small for the radius they are averaged in groups, and groups of groups. A step, a wave and a constant
+// come out as without groups, as far as discrete operators of different meshes agree.
+void groups_of_faces_average_like_faces()
+{
+  const Indexed_surface surface = to_surface(jittered(icosphere(5), 0.002, 3));
+  const Weighted_dual_graph graph = weighted_dual_graph(surface);
+  for (const double radius : {0.2, 0.3})
+  {
+    CHECK(surface.number_of_faces() > 8 * std::pow(6 / radius, 2)); // two levels of groups
+    internal::Diffusion::Values values;
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
+      values.push_back({surface.centroid(f).z() > 0 ? 1.f : 0.f, float(std::sin(4 * surface.centroid(f).x())), 1.f});
+    const auto expected = average_without_groups(graph, values, radius);
+    internal::Multilevel_diffusion(radius, quiet_execution())(graph, values);
+    for (int i = 0; i < 3; ++i)
+    {
+      double squares = 0, largest = 0;
+      for (Index f = 0; f < surface.number_of_faces(); ++f)
+      {
+        const double error = std::abs(values[f][i] - expected[f][i]);
+        squares += graph.area[f] * error * error;
+        largest = (std::max)(largest, error);
+      }
+      std::cout << "radius " << radius << ", value " << i << ": " << std::sqrt(squares) << ", " << largest << "\n";
+      CHECK(std::sqrt(squares) < (i == 2 ? 1e-3 : 0.03));
+      CHECK(largest < 0.1);
+    }
   }
 }
 
@@ -41,27 +96,28 @@ void smoothed_normals_of_a_sphere_point_outward()
 // the last one is solved at once, know nothing of each other.
 void diffusion_keeps_the_mean()
 {
-  const Indexed_surface surface = to_surface(random_surface(7));
-  internal::Diffusion::Values values(surface.number_of_faces());
+  constexpr double tolerance = 1e-4;
+  const Weighted_dual_graph graph = weighted_dual_graph(to_surface(random_surface(7)));
+  internal::Diffusion::Values values(graph.number_of_nodes());
   for (Index f = 0; f < values.size(); ++f)
-    values[f] = {double(f % 3), double(f % 5) / 2, 0.5};
+    values[f] = {float(f % 3), float(f % 5) / 2, 0.5f};
   internal::Diffusion::Values first_only(values.size());
   for (Index f = 0; f < values.size(); ++f)
     first_only[f] = {values[f][0], 0, 0};
   const internal::Diffusion::Values start = values;
-  internal::Diffusion diffuse(surface, 0.01 * surface.area());
-  diffuse(values, quiet_execution());
-  diffuse(first_only, quiet_execution());
+  internal::Diffusion diffuse(graph, 0.01);
+  diffuse(values, tolerance, quiet_execution());
+  diffuse(first_only, tolerance, quiet_execution());
   std::array<double, 3> before = {0, 0, 0}, after = {0, 0, 0};
   for (Index f = 0; f < values.size(); ++f)
   {
     CHECK_EQUAL(values[f][0], first_only[f][0]);
     CHECK_EQUAL(first_only[f][1], 0);
-    CHECK_CLOSE(values[f][2], 0.5, 1e-12);
+    CHECK_CLOSE(values[f][2], 0.5, 1e-5);
     for (int i = 0; i < 3; ++i)
     {
-      before[i] += surface.area(f) * start[f][i];
-      after[i] += surface.area(f) * values[f][i];
+      before[i] += graph.area[f] * start[f][i];
+      after[i] += graph.area[f] * values[f][i];
       CHECK(values[f][i] > -0.01 && values[f][i] < 2.01);
     }
   }
@@ -181,6 +237,7 @@ void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_o
 int main()
 {
   smoothed_normals_of_a_sphere_point_outward();
+  groups_of_faces_average_like_faces();
   diffusion_keeps_the_mean();
   seams_lie_where_parts_meet();
   weights_do_not_depend_on_scale();

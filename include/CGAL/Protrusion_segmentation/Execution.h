@@ -71,7 +71,8 @@ public:
     : m_observer(observer), m_random_seed(random_seed), m_is_parallel(is_parallel)
   {}
 
-  internal::Observer& observer() { return m_observer; }
+  // of the thread of the call; other threads are not heard
+  internal::Observer& observer() { return is_own_thread() ? m_observer : m_silent_observer; }
 
   // While it lives, progress from 0 to 1 is one from `begin` to `end` of the work begun before.
   class Subtask
@@ -80,6 +81,7 @@ public:
     Subtask(Execution& execution, double begin, double end)
       : m_execution(execution), m_begin(execution.m_begin), m_end(execution.m_end)
     {
+      CGAL_assertion(execution.is_own_thread());
       const double length = m_end - m_begin;
       execution.m_begin = m_begin + begin * length;
       execution.m_end = m_begin + end * length;

@@ -8,16 +8,15 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_set.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Segment_pool.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Tip_orders.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/distance_orders.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 #include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
 
 #include <algorithm>
@@ -74,9 +73,7 @@ public:
       m_execution(execution),
       m_policy(policy),
       m_graphs(surface, policy, execution),
-      m_partition(m_graphs.coarse.graph, std::vector<Index>(m_graphs.coarse.graph.number_of_nodes(), 0)),
-      m_search(m_partition, policy, execution),
-      m_tip_orders(m_partition, execution)
+      m_search(surface, m_graphs.coarse, distance, policy, execution)
   {
     Nodes all(m_graphs.coarse.graph.number_of_nodes());
     std::iota(all.begin(), all.end(), Index(0));
@@ -91,7 +88,7 @@ public:
   const Indexed_surface& surface() const { return m_surface; }
   const Cut_graphs& graphs() const { return m_graphs; }
   const Segment_pool& pool() const { return m_pool; }
-  std::size_t number_of_runs() const { return m_tip_orders.number_of_runs(); }
+  std::size_t number_of_runs() const { return m_search.tip_orders().number_of_runs() + m_runs_of_copies; }
 
   // The best set of cuts into `number_of_segments`; none if there are not as many.
   const Cut_set* best(std::size_t number_of_segments)
@@ -136,14 +133,11 @@ private:
   // Makes the beam one of sets with one cut more.
   void advance()
   {
+    search_segments();
     std::vector<Cut_set> next;
-    for (std::size_t i = 0; i < m_beam.size(); ++i)
-    {
-      const double n = static_cast<double>(m_beam.size());
-      const Execution::Subtask subtask(m_execution, static_cast<double>(i) / n, static_cast<double>(i + 1) / n);
-      for (const auto& [segment, cut] : best_cuts(m_beam[i]))
-        next.push_back(m_beam[i].with(made_cut(segment, m_pool[segment].cuts[cut])));
-    }
+    for (const Cut_set& set : m_beam)
+      for (const auto& [segment, cut] : best_cuts(set))
+        next.push_back(set.with(made_cut(segment, m_pool[segment].cuts[cut])));
     std::stable_sort(next.begin(), next.end(),
                      [](const Cut_set& a, const Cut_set& b) { return a.value > b.value; });
     m_beam.clear();
@@ -158,47 +152,52 @@ private:
       m_best.push_back(m_beam.front());
   }
 
+  // Searches the cuts of all segments of the beam that have not been searched yet, in parallel if that is wanted. A
+  // distance of the user's is asked by one thread at a time, it may use several itself.
+  void search_segments()
+  {
+    const std::vector<Index> segments = segments_to_search();
+    for_each_index(
+      segments.size(), m_execution.is_parallel() && !m_distance, m_search,
+      [&](Segment_search& search, std::size_t i)
+      {
+        m_execution.progress(static_cast<double>(i) / static_cast<double>(segments.size()));
+        Segment_pool::Segment& segment = m_pool[segments[i]];
+        segment.cuts = search.cuts(segments[i], segment.nodes);
+        segment.is_searched = true;
+      },
+      [&](const Segment_search& search)
+      {
+        if (&search != &m_search)
+          m_runs_of_copies += search.tip_orders().number_of_runs();
+      });
+  }
+
+  // The largest first: threads that get them last would be waited for.
+  std::vector<Index> segments_to_search() const
+  {
+    std::vector<Index> result;
+    for (const Cut_set& set : m_beam)
+      for (Index s : set.segments)
+        if (!m_pool[s].is_searched && std::find(result.begin(), result.end(), s) == result.end())
+          result.push_back(s);
+    std::stable_sort(result.begin(), result.end(),
+                     [this](Index a, Index b) { return m_pool[a].nodes.size() > m_pool[b].nodes.size(); });
+    return result;
+  }
+
   // The best further cuts of a set: segments and numbers of their cuts.
-  std::vector<std::pair<Index, std::size_t>> best_cuts(const Cut_set& set)
+  std::vector<std::pair<Index, std::size_t>> best_cuts(const Cut_set& set) const
   {
     std::vector<std::pair<Index, std::size_t>> result;
-    for (std::size_t i = 0; i < set.segments.size(); ++i)
-    {
-      m_execution.progress(static_cast<double>(i) / static_cast<double>(set.segments.size()));
-      const Index s = set.segments[i];
-      search(s);
+    for (Index s : set.segments)
       for (std::size_t c = 0; c < (std::min)(m_pool[s].cuts.size(), cuts_of_set); ++c)
         result.emplace_back(s, c);
-    }
     std::stable_sort(result.begin(), result.end(),
                      [this](const auto& a, const auto& b)
                      { return m_pool[a.first].cuts[a.second].value > m_pool[b.first].cuts[b.second].value; });
     result.resize((std::min)(result.size(), cuts_of_set));
     return result;
-  }
-
-  void search(Index s)
-  {
-    if (m_pool[s].is_searched)
-      return;
-    m_execution.check();
-    const std::vector<Nodes> orders = orders_of(s);
-    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
-    m_execution.check();
-    m_pool[s].cuts = m_search.cuts(s, m_pool[s].nodes, orders);
-    m_pool[s].is_searched = true;
-  }
-
-  // The nodes of a segment by their distances from its tips. From here on the partition is about this segment.
-  std::vector<Nodes> orders_of(Index s)
-  {
-    const Stage_scope stage(m_execution.observer(), Stage::TIPS);
-    const Nodes& nodes = m_pool[s].nodes;
-    for (Index i : nodes)
-      m_partition.set_segment(i, s);
-    if (!m_distance)
-      return m_tip_orders.from_all_tips(s, nodes);
-    return distance_orders(m_surface, nodes, m_graphs.coarse.node, *m_distance, m_execution);
   }
 
   // The nodes of the picked tips, and of further ones where there are few.
@@ -212,7 +211,7 @@ private:
       const auto farthest = std::max_element(to_nearest_tip.begin(), to_nearest_tip.end());
       tips.push_back(tips.size() < faces.size() ? m_graphs.coarse.node[faces[tips.size()]]
                                                 : static_cast<Index>(farthest - to_nearest_tip.begin()));
-      const Nodes_by_distance from_tip = m_tip_orders.from_tip(m_best.front().segments.front(), tips.back());
+      const Nodes_by_distance from_tip = m_search.tip_orders().from_tip(m_best.front().segments.front(), tips.back());
       for (std::size_t i = 0; i < from_tip.nodes.size(); ++i)
         to_nearest_tip[from_tip.nodes[i]] = (std::min)(to_nearest_tip[from_tip.nodes[i]], from_tip.distances[i]);
     }
@@ -226,14 +225,11 @@ private:
       is_other_tip[other] = other != tip; // two tips in one node are one
     const auto has_this_tip_only = [&](const Nodes& nodes)
     {
-      return 2 * m_partition.area(nodes) <= 1 && std::find(nodes.begin(), nodes.end(), tip) != nodes.end() &&
+      return 2 * m_search.partition().area(nodes) <= 1 && std::find(nodes.begin(), nodes.end(), tip) != nodes.end() &&
              std::none_of(nodes.begin(), nodes.end(), [&](Index i) { return is_other_tip[i]; });
     };
-    std::vector<Nodes> orders = orders_of(s);
-    orders.push_back(m_tip_orders.from_tip(s, tip).nodes);
-    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
     std::optional<Cut> best;
-    for (Cut& cut : m_search.cuts(s, m_pool[s].nodes, orders, has_this_tip_only))
+    for (Cut& cut : m_search.cuts_around(tip, s, m_pool[s].nodes, has_this_tip_only))
       if (has_this_tip_only(cut.inner) && (!best || cut.value > best->value))
         best = std::move(cut);
     return best;
@@ -244,9 +240,8 @@ private:
   Execution& m_execution;
   const Cut_policy& m_policy;
   Cut_graphs m_graphs;
-  Graph_partition m_partition; // of the coarse graph: the segment that is searched against all else
-  Cut_search m_search;
-  Tip_orders m_tip_orders;
+  Segment_search m_search;
+  std::size_t m_runs_of_copies = 0; // that other threads have had of the search
   Segment_pool m_pool;
   std::vector<Cut_set> m_beam; // of equally many cuts, the best first
   std::vector<Cut_set> m_best; // for every number of segments from 1 on

@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
 
 #include <CGAL/assertions.h>
 
@@ -128,7 +129,8 @@ public:
     while (!m_heap.empty())
     {
       std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
-      const auto [distance, node] = m_heap.back();
+      const float distance = float_of(m_heap.back());
+      const Index node = index_of(m_heap.back());
       m_heap.pop_back();
       if (distance > m_distances[node])
         continue;
@@ -138,7 +140,7 @@ public:
       result.distances.push_back(distance);
       for (Index arc : m_graph.arcs(node))
         if (is_inside(m_graph.target[arc]))
-          offer(m_graph.target[arc], distance + length(arc));
+          offer(m_graph.target[arc], distance + static_cast<float>(length(arc)));
     }
     return result;
   }
@@ -227,13 +229,13 @@ private:
     return largest;
   }
 
-  void offer(Index node, double distance)
+  void offer(Index node, float distance)
   {
     if (m_stamps[node] == m_stamp && m_distances[node] <= distance)
       return;
     m_stamps[node] = m_stamp;
     m_distances[node] = distance;
-    m_heap.emplace_back(distance, node);
+    m_heap.push_back(float_key(distance, node));
     std::push_heap(m_heap.begin(), m_heap.end(), std::greater<>());
   }
 
@@ -260,8 +262,8 @@ private:
   std::vector<bool> m_is_inner;
   std::vector<std::uint32_t> m_stamps; // the last operation that reached a node
   std::uint32_t m_stamp = 0;
-  std::vector<double> m_distances; // for the operation that reached it
-  std::vector<std::pair<double, Index>> m_heap;
+  std::vector<float> m_distances; // for the operation that reached it
+  std::vector<Float_key> m_heap; // comparing distances takes most of the time
 };
 
 } // namespace internal

@@ -58,8 +58,8 @@ struct Weighted_dual_graph
     area.reserve(number_of_nodes);
     centre.reserve(number_of_nodes);
     target.reserve(number_of_arcs);
-    for (std::vector<float>* weights : {&length, &curvature, &border_length, &concave_border_length, &capacity})
-      weights->reserve(number_of_arcs);
+    length.reserve(number_of_arcs);
+    border_length.reserve(number_of_arcs);
   }
   // The length of an arc, lengthened where it crosses a concave seam: distances from a tip grow there.
   double seam_length(Index arc) const

@@ -10,6 +10,12 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 
+#include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -28,22 +34,34 @@ struct Coarse_graph
   std::vector<Weighted_dual_graph::Index> node;
 };
 
+// The nodes by their areas, as far as single precision tells them apart, then by their numbers.
+inline std::vector<Float_key> by_area(const Weighted_dual_graph& graph)
+{
+  std::vector<Float_key> keys;
+  keys.reserve(graph.number_of_nodes());
+  for (Weighted_dual_graph::Index i = 0; i < graph.number_of_nodes(); ++i)
+    keys.push_back(float_key(static_cast<float>(graph.area[i]), i));
+  boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
+  return keys;
+}
+
 // Pairs every node with the neighbour to which it is tied strongest for its size, small nodes first, as long
 // as the pair is no larger than `largest_area`, and no more pairs than `wanted`. Returns for every node the
-// number of its pair, and how many there are.
+// number of its pair, and how many there are. `ties`: of every arc.
 inline std::pair<std::vector<Weighted_dual_graph::Index>, Weighted_dual_graph::Index> match_neighbors(
-  const Weighted_dual_graph& graph, double largest_area, Weighted_dual_graph::Index wanted)
+  const Weighted_dual_graph& graph,
+  const std::vector<float>& ties,
+  double largest_area,
+  Weighted_dual_graph::Index wanted)
 {
   using Index = Weighted_dual_graph::Index;
   const Index n = graph.number_of_nodes();
   const Index unmatched = Indexed_surface::no_face();
-  std::vector<Index> partner(n, unmatched), by_area(n);
-  std::iota(by_area.begin(), by_area.end(), Index(0));
-  std::sort(by_area.begin(), by_area.end(), [&](Index a, Index b)
-            { return graph.area[a] != graph.area[b] ? graph.area[a] < graph.area[b] : a < b; });
+  std::vector<Index> partner(n, unmatched);
   Index pairs = 0;
-  for (Index i : by_area)
+  for (const Float_key key : by_area(graph))
   {
+    const Index i = index_of(key);
     if (partner[i] != unmatched || pairs == wanted)
       continue;
     double strongest = -1;
@@ -53,8 +71,7 @@ inline std::pair<std::vector<Weighted_dual_graph::Index>, Weighted_dual_graph::I
       if (j == i || partner[j] != unmatched || graph.area[i] + graph.area[j] > largest_area)
         continue;
       const double area = graph.area[i] * graph.area[j];
-      const double tie = graph.capacity[arc] * static_cast<double>(graph.capacity[arc]);
-      const double strength = area > 0 ? tie / area : (std::numeric_limits<double>::max)();
+      const double strength = area > 0 ? CGAL::square(static_cast<double>(ties[arc])) / area : (std::numeric_limits<double>::max)();
       if (strength > strongest)
       {
         strongest = strength;
@@ -111,7 +128,7 @@ inline void merge_arcs(const Weighted_dual_graph& graph,
   const auto sums = {&Weighted_dual_graph::border_length, &Weighted_dual_graph::concave_border_length, &Weighted_dual_graph::capacity,
                      &Weighted_dual_graph::curvature};
   for (auto sum : sums)
-    (result.*sum).reserve(graph.target.size());
+    (result.*sum).reserve((graph.*sum).size());
   std::vector<Index> arc_to(sets.number_of_groups(), Indexed_surface::no_face()); // if it leaves this node
   for (Index u = 0; u < sets.number_of_groups(); ++u)
   {
@@ -128,12 +145,12 @@ inline void merge_arcs(const Weighted_dual_graph& graph,
           arc = static_cast<Index>(result.target.size());
           result.target.push_back(v);
           for (auto sum : sums)
-            (result.*sum).push_back(0);
+            if (!(graph.*sum).empty())
+              (result.*sum).push_back(0);
         }
-        result.border_length[arc] += graph.border_length[old];
-        result.concave_border_length[arc] += graph.concave_border_length[old];
-        result.capacity[arc] += graph.capacity[old];
-        result.curvature[arc] += graph.curvature[old] * graph.border_length[old];
+        for (auto sum : sums)
+          if (!(graph.*sum).empty())
+            (result.*sum)[arc] += (graph.*sum)[old] * (sum == &Weighted_dual_graph::curvature ? graph.border_length[old] : 1);
       }
     result.first_arc.push_back(static_cast<Index>(result.target.size()));
   }
@@ -151,7 +168,7 @@ inline Weighted_dual_graph contract(const Weighted_dual_graph& graph,
   const Index_groups sets(number, count);
   merge_nodes(graph, sets, result);
   merge_arcs(graph, number, sets, result);
-  for (Index arc = 0; arc < result.target.size(); ++arc)
+  for (Index arc = 0; arc < result.curvature.size(); ++arc)
     if (result.border_length[arc] > 0)
       result.curvature[arc] /= result.border_length[arc];
   return result;
@@ -173,10 +190,12 @@ inline std::vector<float> lengths_between_centres(const Weighted_dual_graph& gra
 }
 
 // Contracts a graph to about `number_of_nodes` nodes of similar area that do not straddle seams: the
-// structure of a shape does not depend on how finely it is meshed, so the search for cuts need not either.
+// structure of a shape does not depend on how finely it is meshed, so the search for cuts need not either. `tie` is what
+// holds neighbours together.
 inline Coarse_graph coarsen(const Weighted_dual_graph& graph,
                             Weighted_dual_graph::Index number_of_nodes,
-                            Execution& execution)
+                            Execution& execution,
+                            std::vector<float> Weighted_dual_graph::*tie = &Weighted_dual_graph::capacity)
 {
   using Index = Weighted_dual_graph::Index;
   // twice the mean; larger nodes would hide narrow protrusions
@@ -191,7 +210,7 @@ inline Coarse_graph coarsen(const Weighted_dual_graph& graph,
   {
     execution.check();
     const Index before = current->number_of_nodes();
-    const auto match = match_neighbors(*current, largest_area, before - number_of_nodes);
+    const auto match = match_neighbors(*current, current->*tie, largest_area, before - number_of_nodes);
     if (before - match.second < least_progress * before && before < 2 * number_of_nodes)
       break;
     if (match.second == before)

@@ -27,12 +27,12 @@ inline bool is_large_enough(double area, double segment_area)
 }
 
 // The cost of a cut relative to the area of its smaller side. The exponent lies between the relative length
-// of a loop on a surface, 1/2, which finds the smallest necks, and the ratio cut, 1, which finds halves.
+// of a loop on a surface, 1/2, which finds the smallest necks, and the ratio cut, 1, which finds halves: 3/4.
 inline double relative_cost(double cost, double area, double segment_area)
 {
-  constexpr double exponent = 0.75;
+  const double smaller = (std::min)(area, segment_area - area);
   return is_large_enough(area, segment_area)
-           ? cost * std::exp(-exponent * std::log((std::min)(area, segment_area - area)))
+           ? cost / (std::sqrt(smaller) * std::sqrt(std::sqrt(smaller)))
            : (std::numeric_limits<double>::infinity)();
 }
 

@@ -31,6 +31,16 @@ inline double signed_volume(const Indexed_surface& surface)
   return volume;
 }
 
+// The centre of gravity.
+inline Indexed_surface::Point_3 centroid(const Indexed_surface& surface)
+{
+  const Indexed_surface::Point_3 origin(0, 0, 0);
+  Indexed_surface::Vector_3 moment(0, 0, 0);
+  for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
+    moment += surface.area(f) * (surface.centroid(f) - origin);
+  return surface.area() > 0 ? origin + moment / surface.area() : origin;
+}
+
 // The dual graph of a surface with the weights of its seams. An edge is concave if the smoothed normals of
 // its two faces lean towards each other; which side is inside is decided by the sign of the volume.
 class Weighted_dual_graph_maker
@@ -39,29 +49,26 @@ public:
   using Index = Indexed_surface::Index;
   using Vector_3 = Indexed_surface::Vector_3;
 
-  Weighted_dual_graph_maker(const Indexed_surface& surface, const Cut_policy& policy, Execution& execution)
+  Weighted_dual_graph_maker(const Indexed_surface& surface, const Cut_policy& policy)
     : m_surface(surface),
       m_policy(policy),
       m_unit(surface.area() > 0 ? std::sqrt(surface.area()) : 1),
-      m_outward(signed_volume(surface) < 0 ? -1 : 1),
-      m_normals(smooth_normals(surface, normal_radius * m_unit, execution))
+      m_centre(centroid(surface)),
+      m_outward(signed_volume(surface) < 0 ? -1 : 1)
   {
     m_graph.length_of_angle = policy.length_of_angle();
     m_graph.reserve(surface.number_of_faces(), surface.number_of_corners());
   }
 
-  Weighted_dual_graph operator()()
+  Weighted_dual_graph operator()(Execution& execution)
   {
+    add_faces();
+    const Diffusion::Values normals = smooth_normals(m_graph, normals_of_faces(), normal_radius, execution);
+    for (std::vector<float>* weights : {&m_graph.curvature, &m_graph.concave_border_length, &m_graph.capacity})
+      weights->reserve(m_graph.target.size());
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-    {
-      m_graph.area.push_back(m_surface.area(f) / (m_unit * m_unit));
-      m_graph.add_centre(Indexed_surface::Point_3(0, 0, 0) +
-                         (m_surface.centroid(f) - Indexed_surface::Point_3(0, 0, 0)) / m_unit);
-      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
-        if (m_surface.neighbor(c) != Indexed_surface::no_face())
-          add_arc(f, c);
-      m_graph.first_arc.push_back(static_cast<Index>(m_graph.target.size()));
-    }
+      for (Index arc : m_graph.arcs(f))
+        weigh(f, arc, normals);
     return std::move(m_graph);
   }
 
@@ -77,29 +84,61 @@ private:
   // Centroids in one place must not make an infinite curvature.
   static constexpr double least_length = 1e-9;
 
+  void add_faces()
+  {
+    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
+    {
+      m_graph.area.push_back(m_surface.area(f) / (m_unit * m_unit));
+      m_graph.add_centre(Indexed_surface::Point_3(0, 0, 0) + (m_surface.centroid(f) - m_centre) / m_unit);
+      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+        if (m_surface.neighbor(c) != Indexed_surface::no_face())
+          add_arc(f, c);
+      m_graph.first_arc.push_back(static_cast<Index>(m_graph.target.size()));
+    }
+  }
+
   void add_arc(Index f, Index corner)
   {
     const Index g = m_surface.neighbor(corner);
-    const Vector_3 step = m_surface.centroid(g) - m_surface.centroid(f);
-    const double length = (std::max)(std::sqrt(step.squared_length()) / m_unit, least_length);
-    const double border = m_surface.edge_length(f, corner) / m_unit;
-    const double cosine = (std::min)(1., (std::max)(-1., m_normals[f] * m_normals[g]));
-    const bool is_concave = m_outward * ((m_normals[g] - m_normals[f]) * step) < 0;
-    const double strength = (std::min)(largest_curvature, std::acos(cosine) / length);
-    const double curvature = is_concave ? strength : -strength;
+    const double length = std::sqrt((m_surface.centroid(g) - m_surface.centroid(f)).squared_length()) / m_unit;
     m_graph.target.push_back(g);
-    m_graph.length.push_back(static_cast<float>(length));
+    m_graph.length.push_back(static_cast<float>((std::max)(length, least_length)));
+    m_graph.border_length.push_back(static_cast<float>(m_surface.edge_length(f, corner) / m_unit));
+  }
+
+  Diffusion::Values normals_of_faces() const
+  {
+    Diffusion::Values normals(m_surface.number_of_faces(), {0, 0, 0});
+    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
+      if (m_surface.area(f) > 0)
+      {
+        const Vector_3 normal = m_surface.area_vector(f) / m_surface.area(f);
+        normals[f] = {static_cast<float>(normal.x()), static_cast<float>(normal.y()), static_cast<float>(normal.z())};
+      }
+    return normals;
+  }
+
+  void weigh(Index f, Index arc, const Diffusion::Values& normals)
+  {
+    const Index g = m_graph.target[arc];
+    const Diffusion::Triple &n = normals[f], &m = normals[g];
+    const Vector_3 turn(m[0] - n[0], m[1] - n[1], m[2] - n[2]);
+    // by the chord: the cosine of a small angle knows little of it
+    const double angle = 2 * std::asin((std::min)(1., std::sqrt(turn.squared_length()) / 2));
+    const bool is_concave = m_outward * (turn * (m_surface.centroid(g) - m_surface.centroid(f))) < 0;
+    const double strength = (std::min)(largest_curvature, angle / m_graph.length[arc]);
+    const double curvature = is_concave ? strength : -strength;
+    const float border = m_graph.border_length[arc];
     m_graph.curvature.push_back(static_cast<float>(curvature));
-    m_graph.border_length.push_back(static_cast<float>(border));
-    m_graph.concave_border_length.push_back(static_cast<float>(curvature > seam_curvature ? border : 0));
+    m_graph.concave_border_length.push_back(curvature > seam_curvature ? border : 0);
     m_graph.capacity.push_back(static_cast<float>(m_policy.cost(border, curvature)));
   }
 
   const Indexed_surface& m_surface;
   const Cut_policy& m_policy;
   double m_unit;
+  Indexed_surface::Point_3 m_centre;
   double m_outward;
-  std::vector<Vector_3> m_normals;
   Weighted_dual_graph m_graph;
 };
 
@@ -107,7 +146,7 @@ inline Weighted_dual_graph make_weighted_dual_graph(const Indexed_surface& surfa
                                                     const Cut_policy& policy,
                                                     Execution& execution)
 {
-  return Weighted_dual_graph_maker(surface, policy, execution)();
+  return Weighted_dual_graph_maker(surface, policy)(execution);
 }
 
 } // namespace internal

@@ -7,6 +7,8 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
 
+#include <CGAL/assertions.h>
+
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 
@@ -35,37 +37,19 @@ public:
   using Nodes = Graph_partition::Nodes;
 
   // `number` is a work array as long as the graph, filled with `no_face()`, and so left behind.
-  Band_network(const Graph_partition& partition,
-               Index segment,
-               const Nodes& band,
-               std::vector<Index>& number)
-    : m_source(static_cast<Index>(band.size())), m_sink(m_source + 1)
+  Band_network(const Graph_partition& partition, Index segment, const Nodes& band, std::vector<Index>& number)
+    : m_source(static_cast<Index>(band.size())),
+      m_sink(m_source + 1),
+      m_from_source(band.size(), 0),
+      m_to_sink(band.size(), 0)
   {
-    const Weighted_dual_graph& graph = partition.graph();
     for (Index i = 0; i < band.size(); ++i)
       number[band[i]] = i;
-    std::vector<double> from_source(band.size(), 0), to_sink(band.size(), 0);
     for (Index i = 0; i < band.size(); ++i)
-      for (Index arc : graph.arcs(band[i]))
-      {
-        const Index j = graph.target[arc];
-        if (partition.segment(j) != segment)
-          continue;
-        if (number[j] == Indexed_surface::no_face())
-          (partition.is_inner(j) ? from_source : to_sink)[i] += graph.capacity[arc];
-        else if (number[j] > i)
-          add_edge(i, number[j], graph.capacity[arc], graph.capacity[arc]);
-      }
-    for (Index i = 0; i < band.size(); ++i)
-    {
-      if (from_source[i] > 0)
-        add_edge(m_source, i, from_source[i], 0);
-      if (to_sink[i] > 0)
-        add_edge(i, m_sink, to_sink[i], 0);
-      m_has_source |= from_source[i] > 0;
-      m_has_sink |= to_sink[i] > 0;
-      number[band[i]] = Indexed_surface::no_face();
-    }
+      add_arcs_of_node(partition, segment, band, i, number);
+    for (Index i : band)
+      number[i] = Indexed_surface::no_face();
+    add_arcs_of_terminals();
   }
 
   bool has_terminals() const { return m_has_source && m_has_sink; }
@@ -73,32 +57,18 @@ public:
   // Whether each node of the band lies on the source's side of the minimum cut.
   std::vector<bool> source_side()
   {
-    // sort the arcs by their sources and tell every arc its opposite
-    std::vector<Index> order(m_arcs.size()), position(m_arcs.size());
-    for (Index a = 0; a < order.size(); ++a)
-      order[a] = a;
-    std::stable_sort(order.begin(), order.end(),
-                     [this](Index a, Index b) { return m_arcs[a].first < m_arcs[b].first; });
-    for (Index p = 0; p < order.size(); ++p)
-      position[order[p]] = p;
-    std::vector<std::pair<Index, Index>> arcs(order.size());
-    std::vector<Arc> properties(order.size());
-    for (Index p = 0; p < order.size(); ++p)
-    {
-      arcs[p] = m_arcs[order[p]];
-      properties[p] = {m_capacities[order[p]], 0};
-    }
-    Graph graph(boost::edges_are_sorted, arcs.begin(), arcs.end(), properties.begin(), m_sink + 1);
-    const std::vector<typename boost::graph_traits<Graph>::edge_descriptor> descriptors(
-      edges(graph).first, edges(graph).second);
-    std::vector<typename boost::graph_traits<Graph>::edge_descriptor> opposites(order.size());
-    for (Index p = 0; p < order.size(); ++p)
-      opposites[p] = descriptors[position[order[p] ^ 1]]; // arcs were added in opposite pairs
+    Graph graph(boost::edges_are_sorted, m_ends.begin(), m_ends.end(), m_arcs.begin(), m_sink + 1);
+    using Edge = typename boost::graph_traits<Graph>::edge_descriptor;
+    const std::vector<Edge> descriptors(edges(graph).first, edges(graph).second);
+    std::vector<Edge> opposites;
+    opposites.reserve(descriptors.size());
+    for (Index opposite : m_opposites)
+      opposites.push_back(descriptors[opposite]);
 
     const auto vertex_index = get(boost::vertex_index, graph);
     const auto edge_index = get(boost::edge_index, graph);
     std::vector<boost::default_color_type> colors(m_sink + 1);
-    std::vector<typename boost::graph_traits<Graph>::edge_descriptor> predecessors(m_sink + 1);
+    std::vector<Edge> predecessors(m_sink + 1);
     std::vector<Index> distances(m_sink + 1);
     boykov_kolmogorov_max_flow(graph, get(&Arc::capacity, graph), get(&Arc::residual, graph),
                                boost::make_iterator_property_map(opposites.begin(), edge_index),
@@ -121,17 +91,81 @@ private:
   using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, Arc,
                                                    boost::no_property, Index, Index>;
 
-  void add_edge(Index from, Index to, double capacity, double opposite_capacity)
+  // Adds the arcs from a node of the band, to others of it by their numbers. Since the nodes come in the order of their
+  // numbers, too, the opposite of an arc to a lower node is the first of that node's arcs that has none yet.
+  void add_arcs_of_node(const Graph_partition& partition,
+                        Index segment,
+                        const Nodes& band,
+                        Index i,
+                        const std::vector<Index>& number)
   {
-    m_arcs.emplace_back(from, to);
-    m_capacities.push_back(capacity);
-    m_arcs.emplace_back(to, from);
-    m_capacities.push_back(opposite_capacity);
+    const Weighted_dual_graph& graph = partition.graph();
+    m_neighbors.clear();
+    for (Index arc : graph.arcs(band[i]))
+    {
+      const Index j = graph.target[arc];
+      if (partition.segment(j) != segment || j == band[i])
+        continue;
+      if (number[j] == Indexed_surface::no_face())
+        (partition.is_inner(j) ? m_from_source : m_to_sink)[i] += graph.capacity[arc];
+      else
+        m_neighbors.emplace_back(number[j], graph.capacity[arc]);
+    }
+    std::sort(m_neighbors.begin(), m_neighbors.end());
+    m_next_to_higher.push_back(number_of_arcs());
+    for (const auto& [j, capacity] : m_neighbors)
+    {
+      if (j < i)
+      {
+        add_opposite_arcs(i, j, m_next_to_higher[j]++, capacity);
+        ++m_next_to_higher[i];
+      }
+      else
+        add_arc(i, j, capacity);
+    }
+    for (const auto& [terminal, sum] : {std::make_pair(m_source, m_from_source[i]), std::make_pair(m_sink, m_to_sink[i])})
+      if (sum > 0)
+        add_arc(i, terminal, terminal == m_sink ? sum : 0);
+  }
+
+  void add_arcs_of_terminals()
+  {
+    const Index number_of_own = number_of_arcs();
+    std::vector<Index> of_source, of_sink;
+    for (Index a = 0; a < number_of_own; ++a)
+      if (m_ends[a].second >= m_source)
+        (m_ends[a].second == m_source ? of_source : of_sink).push_back(a);
+    for (Index a : of_source)
+      add_opposite_arcs(m_source, m_ends[a].first, a, m_from_source[m_ends[a].first]);
+    for (Index a : of_sink)
+      add_opposite_arcs(m_sink, m_ends[a].first, a, 0);
+    m_has_source = !of_source.empty();
+    m_has_sink = !of_sink.empty();
+  }
+
+  Index number_of_arcs() const { return static_cast<Index>(m_ends.size()); }
+
+  void add_arc(Index from, Index to, double capacity)
+  {
+    m_ends.emplace_back(from, to);
+    m_arcs.push_back({capacity, 0});
+    m_opposites.push_back(number_of_arcs()); // not known yet
+  }
+  void add_opposite_arcs(Index from, Index to, Index opposite, double capacity)
+  {
+    CGAL_assertion(m_ends[opposite] == std::make_pair(to, from));
+    add_arc(from, to, capacity);
+    m_opposites.back() = opposite;
+    m_opposites[opposite] = number_of_arcs() - 1;
   }
 
   Index m_source, m_sink;
-  std::vector<std::pair<Index, Index>> m_arcs;
-  std::vector<double> m_capacities;
+  std::vector<double> m_from_source, m_to_sink; // capacities, of every node
+  std::vector<std::pair<Index, Index>> m_ends;  // of the arcs, sorted by their sources
+  std::vector<Arc> m_arcs;
+  std::vector<Index> m_opposites;
+  std::vector<Index> m_next_to_higher; // of every node the first arc to a higher one without an opposite
+  std::vector<std::pair<Index, float>> m_neighbors; // of one node
   bool m_has_source = false;
   bool m_has_sink = false;
 };

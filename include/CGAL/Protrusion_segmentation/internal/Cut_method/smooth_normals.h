@@ -6,177 +6,238 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SMOOTH_NORMALS_H
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
-#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Edge_conductances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// Diffuses vectors on the faces: solves (M + time * L) x = M x_0 for each coordinate, where M holds the areas
-// and L is the finite-volume Laplacian of the face dual graph, by conjugate gradients with a diagonal
-// preconditioner. On a mesh of N faces that needs about sqrt(time * N / area) iterations, each linear.
+// Diffuses vectors on the nodes of a dual graph: solves (M + time * L) x = M x_0 for each coordinate, where M holds the
+// areas and L is the finite-volume Laplacian, by conjugate gradients with a diagonal preconditioner. That takes about
+// sqrt(time * number of nodes) iterations, each linear.
 //
 // The three systems are solved side by side, since an iteration waits for memory more than it computes.
 class Diffusion
 {
 public:
-  using Index = Indexed_surface::Index;
-  using Triple = std::array<double, 3>;
+  using Index = Weighted_dual_graph::Index;
+  using Triple = std::array<float, 3>;
   using Values = std::vector<Triple>;
 
-  Diffusion(const Indexed_surface& surface, double time)
-    : m_surface(surface), m_diagonal(surface.number_of_faces()), m_preconditioner(surface.number_of_faces())
+  // `scale`: of the conductances
+  Diffusion(const Weighted_dual_graph& graph, double time, double scale = 1)
+    : m_graph(graph), m_diagonal(graph.number_of_nodes()), m_weights(graph.target.size())
   {
-    const Edge_conductances conductance(surface);
-    m_weights.assign(surface.number_of_corners(), 0);
-    for (Index f = 0; f < surface.number_of_faces(); ++f)
+    // Lengths below a hundredth of that of a mean node count as that much, see `Edge_conductances`.
+    const float shortest = static_cast<float>(0.01 / std::sqrt(static_cast<double>(graph.number_of_nodes())));
+    for (Index i = 0; i < graph.number_of_nodes(); ++i)
     {
-      m_diagonal[f] = mass(f);
-      for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
-        if (surface.neighbor(c) != Indexed_surface::no_face())
-        {
-          m_weights[c] = static_cast<float>(time * conductance(f, c));
-          m_diagonal[f] += m_weights[c];
-        }
-      m_preconditioner[f] = 1 / m_diagonal[f];
+      double sum = mass(i);
+      for (Index arc : graph.arcs(i))
+      {
+        const float conductance = (std::max)(graph.border_length[arc], shortest) / (std::max)(graph.length[arc], shortest);
+        m_weights[arc] = static_cast<float>(time * scale * conductance);
+        sum += m_weights[arc];
+      }
+      m_diagonal[i] = static_cast<float>(sum);
     }
   }
 
-  // Replaces `x` by the diffused values.
-  void operator()(Values& x, Execution& execution)
+  // Replaces `x` by the diffused values, up to a residual of `tolerance` relative to the right hand side.
+  void operator()(Values& x, double tolerance, Execution& execution)
   {
-    constexpr double tolerance = 1e-4; // relative residual; normals need no more
-    constexpr int max_iterations = 200;
-    const Triple right_hand_side = start(x);
-    Triple rho = advance({0, 0, 0}, x);
+    constexpr int maximum_number_of_iterations = 200; // some ten to thirty are usual
+    const Sums right_hand_side = start(x);
+    Sums rho = advance({0, 0, 0}, x);
     const auto is_solved = [&](int i) { return !(rho[i] > tolerance * tolerance * right_hand_side[i]); };
-    for (int iteration = 0; iteration < max_iterations; ++iteration)
+    for (int iteration = 0; iteration < maximum_number_of_iterations; ++iteration)
     {
       execution.check();
       if (is_solved(0) && is_solved(1) && is_solved(2))
         return;
-      const Triple curvature = multiply(m_direction, m_product);
+      const Sums curvature = multiply(m_direction, m_product);
       Triple step, share;
       for (int i = 0; i < 3; ++i)
-        step[i] = is_solved(i) ? 0 : rho[i] / curvature[i];
-      const Triple before = rho;
+        step[i] = is_solved(i) ? 0 : static_cast<float>(rho[i] / curvature[i]);
+      const Sums before = rho;
       rho = advance(step, x);
       for (int i = 0; i < 3; ++i)
-        share[i] = before[i] > 0 ? rho[i] / before[i] : 0;
-      for (Index f = 0; f < x.size(); ++f)
+        share[i] = before[i] > 0 ? static_cast<float>(rho[i] / before[i]) : 0;
+      for (Index k = 0; k < x.size(); ++k)
         for (int i = 0; i < 3; ++i)
-          m_direction[f][i] = m_residual[f][i] * m_preconditioner[f] + share[i] * m_direction[f][i];
+          m_direction[k][i] = m_residual[k][i] / m_diagonal[k] + share[i] * m_direction[k][i];
     }
+    CGAL_warning_msg(false, "Protrusion_segmentation: smoothed normals are not as exact as they should be");
   }
 
 private:
+  using Sums = std::array<double, 3>;
+
   // a face without area still must not make the matrix singular
-  double mass(Index f) const
-  {
-    return m_surface.area(f) + 1e-9 * m_surface.area() / m_surface.number_of_faces();
-  }
+  double mass(Index i) const { return m_graph.area[i] + 1e-9 / m_graph.number_of_nodes(); }
 
   // Residuals and first directions; returns the norms of the right hand sides.
-  Triple start(const Values& x)
+  Sums start(const Values& x)
   {
     m_residual.resize(x.size());
     m_direction.resize(x.size());
     m_product.resize(x.size());
     multiply(x, m_product);
-    Triple norms = {0, 0, 0};
-    for (Index f = 0; f < x.size(); ++f)
+    Sums norms = {0, 0, 0};
+    for (Index k = 0; k < x.size(); ++k)
       for (int i = 0; i < 3; ++i)
       {
-        const double b = mass(f) * x[f][i];
-        m_residual[f][i] = b - m_product[f][i];
-        m_direction[f][i] = m_residual[f][i] * m_preconditioner[f];
-        norms[i] += b * b * m_preconditioner[f];
+        const double b = mass(k) * x[k][i];
+        m_residual[k][i] = static_cast<float>(b - m_product[k][i]);
+        m_direction[k][i] = m_residual[k][i] / m_diagonal[k];
+        norms[i] += b * b / m_diagonal[k];
       }
     return norms;
   }
 
   // Goes `step` along the direction; returns the norms of the new residuals.
-  Triple advance(const Triple& step, Values& x)
+  Sums advance(const Triple& step, Values& x)
   {
-    Triple sums = {0, 0, 0};
-    for (std::size_t f = 0; f < x.size(); ++f)
+    Sums sums = {0, 0, 0};
+    for (std::size_t k = 0; k < x.size(); ++k)
       for (int i = 0; i < 3; ++i)
       {
-        x[f][i] += step[i] * m_direction[f][i];
-        m_residual[f][i] -= step[i] * m_product[f][i];
-        sums[i] += m_residual[f][i] * m_residual[f][i] * m_preconditioner[f];
+        x[k][i] += step[i] * m_direction[k][i];
+        m_residual[k][i] -= step[i] * m_product[k][i];
+        sums[i] += m_residual[k][i] * static_cast<double>(m_residual[k][i] / m_diagonal[k]);
       }
     return sums;
   }
 
   // Returns the scalar products of the values with the result.
-  Triple multiply(const Values& x, Values& result) const
+  Sums multiply(const Values& x, Values& result) const
   {
-    Triple sums = {0, 0, 0};
-    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
+    Sums sums = {0, 0, 0};
+    for (Index k = 0; k < m_graph.number_of_nodes(); ++k)
     {
       Triple row;
       for (int i = 0; i < 3; ++i)
-        row[i] = m_diagonal[f] * x[f][i];
-      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
-        if (m_surface.neighbor(c) != Indexed_surface::no_face())
-          for (int i = 0; i < 3; ++i)
-            row[i] -= m_weights[c] * x[m_surface.neighbor(c)][i];
-      result[f] = row;
+        row[i] = m_diagonal[k] * x[k][i];
+      for (Index arc : m_graph.arcs(k))
+        for (int i = 0; i < 3; ++i)
+          row[i] -= m_weights[arc] * x[m_graph.target[arc]][i];
+      result[k] = row;
       for (int i = 0; i < 3; ++i)
-        sums[i] += x[f][i] * row[i];
+        sums[i] += x[k][i] * static_cast<double>(row[i]);
     }
     return sums;
   }
 
-  const Indexed_surface& m_surface;
-  std::vector<double> m_diagonal, m_preconditioner; // each other's inverse
-  std::vector<float> m_weights;                     // of every corner's edge
+  const Weighted_dual_graph& m_graph;
+  std::vector<float> m_diagonal;
+  std::vector<float> m_weights; // of every arc
   Values m_residual, m_direction, m_product;
 };
 
-// Unit normals of the faces, averaged over about `radius` on the surface. A face whose average vanishes gets
-// the zero vector.
-inline std::vector<Indexed_surface::Vector_3> smooth_normals(const Indexed_surface& surface,
-                                                             double radius,
-                                                             Execution& execution)
+// Averages vectors over about a radius on the surface. Where faces are small for the radius that is done on groups of
+// about four nodes first, and so on, and the steps between groups are smoothed away: the time for a face does not grow
+// with their number.
+class Multilevel_diffusion
 {
-  using Index = Indexed_surface::Index;
-  using Vector_3 = Indexed_surface::Vector_3;
-  // Two steps of diffusion have together the variance of the mean over a disc of that radius.
-  constexpr int steps = 2;
-  const double time = radius * radius / (8 * steps);
-  Diffusion::Values normals(surface.number_of_faces(), {0, 0, 0});
-  for (Index f = 0; f < surface.number_of_faces(); ++f)
-    if (surface.area(f) > 0)
-    {
-      const Vector_3 normal = surface.area_vector(f);
-      normals[f] = {normal.x() / surface.area(f), normal.y() / surface.area(f), normal.z() / surface.area(f)};
-    }
+public:
+  using Index = Weighted_dual_graph::Index;
+  using Values = Diffusion::Values;
+
+  Multilevel_diffusion(double radius, Execution& execution) : m_radius(radius), m_execution(execution) {}
+
+  // Diffusion for a time t has the variance 4 t, the mean over a disc half the square of its radius.
+  void operator()(const Weighted_dual_graph& graph, Values& values) const
   {
-    Diffusion diffuse(surface, time);
+    diffuse(graph, 1, CGAL::square(m_radius) / 8, values);
+  }
+
+private:
+  // Groups are no larger than that share of the radius.
+  static constexpr double largest_group = 1. / 6;
+
+  // `scale`: of the conductances, see `energy()`
+  void diffuse(const Weighted_dual_graph& graph, double scale, double time, Values& values) const
+  {
+    const double least_number_of_groups = 1 / CGAL::square(largest_group * m_radius);
+    if (graph.number_of_nodes() < 2 * least_number_of_groups)
+    {
+      diffuse_twice(graph, scale, time, values);
+      return;
+    }
+    const Coarse_graph groups =
+      coarsen(graph, static_cast<Index>((std::max)(graph.number_of_nodes() / 4., least_number_of_groups)), m_execution,
+              &Weighted_dual_graph::border_length);
+    Values means = means_of_groups(graph, groups, values);
+    const double time_between_groups = 1. / groups.graph.number_of_nodes(); // over about the size of a group
+    diffuse(groups.graph, scale * energy(graph) / energy(groups.graph), time - time_between_groups, means);
+    for (Index i = 0; i < graph.number_of_nodes(); ++i)
+      values[i] = means[groups.node[i]];
+    constexpr double tolerance = 1e-2;
+    Diffusion(graph, time_between_groups, scale)(values, tolerance, m_execution);
+  }
+
+  void diffuse_twice(const Weighted_dual_graph& graph, double scale, double time, Values& values) const
+  {
+    constexpr int steps = 2; // which is nearer to a disc than one
+    constexpr double tolerance = 1e-4; // normals need no more
+    Diffusion diffusion(graph, time / steps, scale);
     for (int step = 0; step < steps; ++step)
     {
-      execution.progress(static_cast<double>(step) / steps);
-      diffuse(normals, execution);
+      m_execution.progress(static_cast<double>(step) / steps);
+      diffusion(values, tolerance, m_execution);
     }
   }
-  std::vector<Vector_3> result;
-  result.reserve(surface.number_of_faces());
-  for (const Diffusion::Triple& normal : normals)
+
+  static Values means_of_groups(const Weighted_dual_graph& graph, const Coarse_graph& groups, const Values& values)
   {
-    const Vector_3 vector(normal[0], normal[1], normal[2]);
-    const double length = std::sqrt(vector.squared_length());
-    result.push_back(length > 0 ? vector / length : Vector_3(0, 0, 0));
+    Values means(groups.graph.number_of_nodes(), {0, 0, 0});
+    for (Index i = 0; i < graph.number_of_nodes(); ++i)
+    {
+      const Index group = groups.node[i];
+      const double area = groups.graph.area[group];
+      for (int k = 0; k < 3 && area > 0; ++k)
+        means[group][k] += static_cast<float>(graph.area[i] / area * values[i][k]);
+    }
+    return means;
   }
-  return result;
+
+  // How much the position itself varies, by the Laplacian of the graph: twice the area, if borders are straight. Those
+  // of groups are ragged, and what flows through them is scaled down by that.
+  static double energy(const Weighted_dual_graph& graph)
+  {
+    return std::inner_product(graph.border_length.begin(), graph.border_length.end(), graph.length.begin(), 0.);
+  }
+
+  double m_radius;
+  Execution& m_execution;
+};
+
+// Unit vectors, each the average over about `radius` of the given ones around it. Where the average vanishes, it is the
+// zero vector.
+inline Diffusion::Values smooth_normals(const Weighted_dual_graph& graph,
+                                        Diffusion::Values normals,
+                                        double radius,
+                                        Execution& execution)
+{
+  Multilevel_diffusion(radius, execution)(graph, normals);
+  for (Diffusion::Triple& normal : normals)
+  {
+    const float length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    for (float& x : normal)
+      x = length > 0 ? x / length : 0;
+  }
+  return normals;
 }
 
 } // namespace internal

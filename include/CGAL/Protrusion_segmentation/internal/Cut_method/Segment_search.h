@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEGMENT_SEARCH_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEGMENT_SEARCH_H
+
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Tip_orders.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/distance_orders.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
+
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Searches segments of a coarse graph for cuts, one segment after the other: first its tips, then borders. Copies have
+// their own work arrays, so that each thread can have one.
+class Segment_search
+{
+public:
+  using Index = Indexed_surface::Index;
+  using Nodes = Graph_partition::Nodes;
+
+  // The arguments must outlive the object. Without a distance, tips and level sets are those of the coarse graph.
+  Segment_search(const Indexed_surface& surface,
+                 const Coarse_graph& coarse,
+                 const std::optional<Any_distance>& distance,
+                 const Cut_policy& policy,
+                 Execution& execution)
+    : m_surface(surface),
+      m_coarse(coarse),
+      m_distance(distance),
+      m_policy(policy),
+      m_execution(execution),
+      m_partition(coarse.graph, std::vector<Index>(coarse.graph.number_of_nodes(), 0)),
+      m_search(m_partition, policy, execution),
+      m_tip_orders(m_partition, execution)
+  {}
+  Segment_search(const Segment_search& other)
+    : Segment_search(other.m_surface, other.m_coarse, other.m_distance, other.m_policy, other.m_execution)
+  {}
+  Segment_search& operator=(const Segment_search&) = delete;
+
+  Graph_partition& partition() { return m_partition; }
+  Tip_orders& tip_orders() { return m_tip_orders; }
+  const Tip_orders& tip_orders() const { return m_tip_orders; }
+
+  // The cuts of segment `s` with the given nodes, best first.
+  std::vector<Cut> cuts(Index s, const Nodes& nodes)
+  {
+    return cuts(s, nodes, orders(s, nodes), [](const Nodes&) { return true; });
+  }
+
+  // The same along those level sets for which `accept(nodes)` holds, those around `tip` among them.
+  template <typename Accept>
+  std::vector<Cut> cuts_around(Index tip, Index s, const Nodes& nodes, Accept accept)
+  {
+    std::vector<Nodes> all_orders = orders(s, nodes);
+    all_orders.push_back(m_tip_orders.from_tip(s, tip).nodes);
+    return cuts(s, nodes, all_orders, accept);
+  }
+
+private:
+  // The nodes by their distances from the tips. From here on the partition is about this segment.
+  std::vector<Nodes> orders(Index s, const Nodes& nodes)
+  {
+    const Stage_scope stage(m_execution.observer(), Stage::TIPS);
+    m_execution.check();
+    for (Index i : nodes)
+      m_partition.set_segment(i, s);
+    if (!m_distance)
+      return m_tip_orders.from_all_tips(s, nodes);
+    return distance_orders(m_surface, nodes, m_coarse.node, *m_distance, m_execution);
+  }
+
+  template <typename Accept>
+  std::vector<Cut> cuts(Index s, const Nodes& nodes, const std::vector<Nodes>& orders, Accept accept)
+  {
+    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
+    m_execution.check();
+    return m_search.cuts(s, nodes, orders, accept);
+  }
+
+  const Indexed_surface& m_surface;
+  const Coarse_graph& m_coarse;
+  const std::optional<Any_distance>& m_distance;
+  const Cut_policy& m_policy;
+  Execution& m_execution;
+  Graph_partition m_partition; // of the coarse graph: the segment that is searched against all else
+  Cut_search m_search;
+  Tip_orders m_tip_orders;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEGMENT_SEARCH_H
