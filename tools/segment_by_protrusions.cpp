@@ -20,6 +20,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -39,6 +40,7 @@ struct Command_line
   std::vector<std::string> outputs;
   std::string json;   // "-" is the standard output
   std::string report; // empty: none
+  bool are_parts_closed = false;
   bool is_quiet = false;
 };
 
@@ -97,6 +99,9 @@ void check(const CLI::App& app, const Command_line& command_line)
     check_meanings(app, tool::distances(), command_line.options.distance);
     tool::check_options(command_line.options);
     check_names(command_line);
+    if (command_line.are_parts_closed &&
+        std::none_of(command_line.outputs.begin(), command_line.outputs.end(), tool::is_pattern))
+      throw std::invalid_argument("--close has no meaning without a %d in the name of an output");
     if (!command_line.report.empty() && !tool::can_write_report())
       throw std::invalid_argument(std::string("--report: ") + no_report);
   }
@@ -147,6 +152,9 @@ void add_options(CLI::App& app, Command_line& command_line)
   app.add_option("-o,--output", command_line.outputs, outputs)
       ->allow_extra_args(false)
       ->type_name("FILE");
+  app.add_flag("--close", command_line.are_parts_closed,
+               "close the meshes of segments where they were cut off; so all are closed if the input is,\n"
+               "and their volumes add up to that of the input");
   app.add_option("--json", command_line.json,
                  "write what was found as JSON, - is the standard output")
       ->type_name("FILE");
@@ -230,7 +238,7 @@ void run(const Command_line& command_line)
 
   tool::Output_files files;
   for (const std::string& name : command_line.outputs)
-    tool::add_output(name, mesh, findings.segmentation, files);
+    tool::add_output(name, mesh, findings.segmentation, command_line.are_parts_closed, files);
   if (!command_line.json.empty())
     files.add(command_line.json, [&](std::ostream& out) { tool::write_json(out, findings); });
   if (!command_line.report.empty())

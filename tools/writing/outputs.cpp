@@ -6,6 +6,7 @@
 
 #include "reading/lower_case_extension.h"
 #include "reading/mesh_of_soup.h"
+#include "writing/closed_parts.h"
 #include "writing/glb.h"
 #include "writing/palette.h"
 #include "writing/vtp.h"
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 
 namespace tool
@@ -147,20 +149,43 @@ void add_file(const std::string& name, const Segmented_mesh& segmented, Output_f
             });
 }
 
-void add_parts(const std::string& pattern,
-               const Mesh& mesh,
-               const Segmentation& segmentation,
-               Output_files& files)
+std::vector<Polygon_soup> open_soups(const Mesh& mesh, const Segmentation& segmentation)
 {
-  files.make_folder_of(pattern);
   std::vector<std::vector<Face>> faces_of(segmentation.number_of_segments);
   std::size_t i = 0;
   for (const Face f : faces(mesh))
     faces_of[segmentation.segment_ids[i++]].push_back(f);
-  for (std::size_t s = 0; s < faces_of.size(); ++s)
+  std::vector<Polygon_soup> soups;
+  for (const std::vector<Face>& faces_of_segment : faces_of)
+    soups.push_back(soup_of_segment(mesh, faces_of_segment));
+  return soups;
+}
+
+std::vector<Polygon_soup> closed_soups(const Mesh& mesh, const Segmentation& segmentation)
+{
+  std::vector<std::size_t> parents(segmentation.number_of_segments);
+  std::iota(parents.begin(), parents.end(), std::size_t(0));
+  for (const Protrusion& protrusion : segmentation.record.protrusions())
+    parents[protrusion.segment] = protrusion.parent;
+  std::vector<Polygon_soup> soups;
+  for (const Closed_part& part : closed_parts(mesh, segmentation.segment_ids, parents))
+  {
+    soups.push_back({part.points, {}});
+    for (const std::vector<std::size_t>& polygon : part.polygons)
+      soups.back().polygons.emplace_back(polygon.begin(), polygon.end());
+  }
+  return soups;
+}
+
+void add_parts(const std::string& pattern,
+               const std::vector<Polygon_soup>& soups,
+               Output_files& files)
+{
+  files.make_folder_of(pattern);
+  for (std::size_t s = 0; s < soups.size(); ++s)
   {
     const std::string name = name_of_part(pattern, s);
-    const Mesh part = mesh_of_soup(soup_of_segment(mesh, faces_of[s]), name);
+    const Mesh part = mesh_of_soup(soups[s], name);
     add_file(name, {part, std::vector<std::size_t>(part.number_of_faces(), s)}, files);
   }
 }
@@ -201,10 +226,11 @@ void check_output_name(const std::string& name)
 void add_output(const std::string& name,
                 const Mesh& mesh,
                 const Segmentation& segmentation,
+                bool is_closed,
                 Output_files& files)
 {
   if (is_pattern(name))
-    add_parts(name, mesh, segmentation, files);
+    add_parts(name, is_closed ? closed_soups(mesh, segmentation) : open_soups(mesh, segmentation), files);
   else
     add_file(name, {mesh, segmentation.segment_ids}, files);
 }

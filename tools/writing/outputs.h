@@ -27,9 +27,11 @@ bool is_pattern(const std::string& name);
 // there can be none.
 void check_output_name(const std::string& name);
 
+// `is_closed`: the parts of a name with a "%d" get caps where they were cut off.
 void add_output(const std::string& name,
                 const Mesh& mesh,
                 const Segmentation& segmentation,
+                bool is_closed,
                 Output_files& files);
 
 } // namespace tool
