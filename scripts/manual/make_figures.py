@@ -270,7 +270,7 @@ def show(mesh, colors, name, shape, **size):
 def join(pictures, name, height):
     """One picture of several side by side, no wider than a page of CGAL's manual."""
     subprocess.run(["convert", *pictures, "-resize", f"x{height}", "-bordercolor", "white", "-border", "6x0", "+append",
-                    "-strip", "+dither", "-colors", "128", f"PNG8:{FIGURES / name}"], check=True)
+                    "-strip", "+dither", "-colors", "128", "-white-threshold", "97%", f"PNG8:{FIGURES / name}"], check=True)
 
 
 def nested(workshop):
