@@ -2,27 +2,21 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// protrusion_distance_example MESH SEGMENTATION
-//
 // A distance of one's own: ways across bent edges are longer, so that its level sets, and with them
 // the borders, gather where the surface is bent. The paper's method gets it in place of its own.
 
-#include <CGAL/IO/SEG.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/protrusion_segmentation.h>
 #include <CGAL/segmentation_metrics.h>
+
+#include "read_or_make_mesh.h"
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdlib>
-#include <exception>
-#include <iostream>
 #include <vector>
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -85,33 +79,23 @@ struct Bent_distance
   }
 };
 
+// protrusion_distance_example [MESH]
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if (argc != 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh))
-  {
-    std::cerr << "protrusion_distance_example: needs a mesh and the name of a .seg file" << std::endl;
+  if (!read_or_make_mesh(argc, argv, mesh))
     return EXIT_FAILURE;
-  }
 
-  try
-  {
-    using CGAL::Protrusion_segmentation::Histogram_method;
-    auto usual = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:usual").first;
-    auto own = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:own").first;
-    CGAL::segmentation_via_protrusion_tips(mesh, usual, 7, Histogram_method());
-    const std::size_t n =
-      CGAL::segmentation_via_protrusion_tips(mesh, own, 7, Histogram_method(Bent_distance()));
+  using CGAL::Protrusion_segmentation::Histogram_method;
+  auto usual = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:usual").first;
+  auto own = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:own").first;
+  CGAL::segmentation_via_protrusion_tips(mesh, usual, 7, Histogram_method());
+  const std::size_t number_of_segments =
+    CGAL::segmentation_via_protrusion_tips(mesh, own, 7, Histogram_method(Bent_distance()));
 
-    // Segments may be numbered differently, so it is pairs of faces that are compared.
-    std::cout << n << " segments, and for a share of "
-              << CGAL::segmentation_rand_index_error(mesh, usual, own)
-              << " of all pairs of faces the distances disagree whether they belong together\n";
-    return CGAL::IO::write_SEG(argv[2], mesh, own) ? EXIT_SUCCESS : EXIT_FAILURE;
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "protrusion_distance_example: " << error.what() << std::endl;
-    return EXIT_FAILURE;
-  }
+  // Segments may be numbered differently, so it is pairs of faces that are compared.
+  std::cout << number_of_segments << " segments; the distances disagree for a share of "
+            << CGAL::segmentation_rand_index_error(mesh, usual, own)
+            << "\nof all pairs of faces whether they belong together" << std::endl;
+  return EXIT_SUCCESS;
 }

@@ -2,23 +2,18 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// protrusion_visitor_example MESH
-//
 // Watches a segmentation: its progress, the histograms of each protrusion and the slot of its
 // border. Stops it after five seconds.
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/protrusion_segmentation.h>
+
+#include "read_or_make_mesh.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cstddef>
-#include <cstdlib>
-#include <exception>
 #include <functional>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -60,31 +55,21 @@ private:
     std::chrono::steady_clock::now() + std::chrono::seconds(5);
 };
 
+// protrusion_visitor_example [MESH]
 int main(int argc, char* argv[])
 {
   Mesh mesh;
-  if (argc != 2 || !CGAL::IO::read_polygon_mesh(argv[1], mesh))
-  {
-    std::cerr << "protrusion_visitor_example: needs a mesh" << std::endl;
+  if (!read_or_make_mesh(argc, argv, mesh))
     return EXIT_FAILURE;
-  }
 
-  try
-  {
-    auto segments = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
-    Watcher watcher;
-    const CGAL::Protrusion_segmentation::Histogram_method method; // the one that has histograms
-    const std::size_t number_of_segments = CGAL::segmentation_via_protrusion_tips(
-      mesh, segments, 7, method, CGAL::parameters::visitor(std::ref(watcher)));
-    if (number_of_segments == 0)
-      std::cout << "stopped, nothing is segmented" << std::endl;
-    else
-      std::cout << number_of_segments << " segments" << std::endl;
-    return EXIT_SUCCESS;
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "protrusion_visitor_example: " << error.what() << std::endl;
-    return EXIT_FAILURE;
-  }
+  auto segments = mesh.add_property_map<Face, std::size_t>("f:segment").first;
+  Watcher watcher;
+  const CGAL::Protrusion_segmentation::Histogram_method method; // the one that has histograms
+  const std::size_t number_of_segments = CGAL::segmentation_via_protrusion_tips(
+    mesh, segments, 7, method, CGAL::parameters::visitor(std::ref(watcher)));
+  if (number_of_segments == 0)
+    std::cout << "stopped, nothing is segmented" << std::endl;
+  else
+    std::cout << number_of_segments << " segments" << std::endl;
+  return EXIT_SUCCESS;
 }

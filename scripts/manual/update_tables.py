@@ -21,10 +21,10 @@ Single figures: a number after <!-- FILE: SECTION; ROW; COLUMN --> is that of th
 Constants: in table rows that begin with "| `FILE.h`, `NAME` |" the second column is the value that
 NAME is set to in that header.
 
-Output of the examples: with --programs FOLDER, a folder in which examples and tools were built, what an example
-prints for a shape of make_example_mesh replaces what is between the lines
+Output of the examples: with --programs FOLDER, a folder in which the examples were built, and --data FOLDER, CGAL's
+data folder with meshes/elephant.off, what an example prints without arguments replaces what is between the lines
 
-    <!-- begin output of EXAMPLE for SHAPE -->
+    <!-- begin output of EXAMPLE -->
     <!-- end -->
 
 Results in the README: table rows whose first cell ends with "<!-- METHOD -->" get that method's means
@@ -34,20 +34,19 @@ With --check nothing is written, and the exit code is 1 if one of the two is out
 """
 
 import argparse
+import os
 import pathlib
 import re
 import subprocess
 import sys
-import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MANUAL = ROOT / "doc/Protrusion_segmentation/Protrusion_segmentation.txt"
 README = ROOT / "README.md"
-EXAMPLES = ROOT / "examples/Protrusion_segmentation"
 BENCHMARKS = ROOT / "benchmark/Protrusion_segmentation"
 HEADERS = ROOT / "include/CGAL/Protrusion_segmentation"
 
-OUTPUT = re.compile(r"(<!-- begin output of (\w+) for (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
+OUTPUT = re.compile(r"(<!-- begin output of (\w+) -->\n).*?(<!-- end -->)", re.DOTALL)
 LONGEST_OUTPUT = 16  # lines
 BLOCK = re.compile(r"(<!-- begin ([^: \n]+): ([^\n]+)\n(.*?)-->\n).*?(<!-- end -->)", re.DOTALL)
 FIGURE = re.compile(r"(<!-- ([^:;\n]+): ([^;\n]+); ([^;\n]+); ([^;>\n]+) -->)[-\d.]*\d")
@@ -128,15 +127,12 @@ def program(folder, name):
     sys.exit(f"{folder} has no program {name}")
 
 
-def output(programs, example, shape):
-    """What the example prints. Its last argument, if it wants one, is the name of a .seg file."""
-    with tempfile.TemporaryDirectory() as folder:
-        mesh, segments = f"{folder}/{shape}.off", f"{folder}/{shape}.seg"
-        subprocess.run([program(programs, "make_example_mesh"), shape, mesh], check=True,
-                       stdout=subprocess.DEVNULL)
-        writes = "write_SEG" in (EXAMPLES / f"{example}.cpp").read_text(encoding="utf-8")
-        result = subprocess.run([program(programs, example), mesh] + ([segments] if writes else []),
-                                check=True, capture_output=True, text=True)
+def output(programs, data, example):
+    """What the example prints without arguments."""
+    result = subprocess.run([program(programs, example)], check=True, capture_output=True, text=True,
+                            env={**os.environ, "CGAL_DATA_DIR": str(data)})
+    if result.stderr:
+        sys.exit(f"{example}: {result.stderr}")
     lines = result.stdout.splitlines()
     if len(lines) > LONGEST_OUTPUT:
         lines[LONGEST_OUTPUT:] = ["..."]
@@ -156,9 +152,9 @@ def with_figures(text):
     return FIGURE.sub(lambda m: m[1] + figure(*m.groups()[1:]), text)
 
 
-def updated(text, programs):
+def updated(text, programs, data):
     if programs:
-        text = OUTPUT.sub(lambda m: m[1] + output(programs, m[2], m[3]) + m[4], text)
+        text = OUTPUT.sub(lambda m: m[1] + output(programs, data, m[2]) + m[3], text)
     text = BLOCK.sub(lambda m: m[1] + short_table(m[2], m[3], m[4]) + m[5], text)
     return ROW.sub(lambda m: f"| `{m[1]}`, `{m[2]}` | {constant(m[1], m[2], m[3])} |", with_figures(text))
 
@@ -166,10 +162,13 @@ def updated(text, programs):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--check", action="store_true", help="write nothing; fail if out of date")
-    parser.add_argument("--programs", type=pathlib.Path, help="folder with the built examples and tools")
+    parser.add_argument("--programs", type=pathlib.Path, help="folder with the built examples")
+    parser.add_argument("--data", type=pathlib.Path, help="CGAL's data folder")
     arguments = parser.parse_args()
+    if arguments.programs and not arguments.data:
+        parser.error("--programs needs --data")
     programs = arguments.programs and arguments.programs.resolve()
-    for file, update in ((MANUAL, lambda text: updated(text, programs)), (README, updated_readme)):
+    for file, update in ((MANUAL, lambda text: updated(text, programs, arguments.data)), (README, updated_readme)):
         old = file.read_text(encoding="utf-8")
         new = update(old)
         if arguments.check and new != old:

@@ -163,7 +163,7 @@ void sparse_eigenpairs_are_those_of_a_dense_solver()
                                                                       1000);
       CHECK_EQUAL(sparse.size(), internal::count_with_multiplicity(dense.values, count));
       CHECK(sparse.size() >= count);
-      for (std::size_t k = 0; k < std::min(sparse.size(), dense.size()); ++k)
+      for (std::size_t k = 0; k < (std::min)(sparse.size(), dense.size()); ++k)
         CHECK_CLOSE(sparse.values[k], dense.values[k], 1e-8 * dense.values[k] + 1e-12);
       check_residuals(surface, sparse);
     }
@@ -184,7 +184,7 @@ void symmetry_does_not_matter()
     double largest = 0;
     for (std::size_t i = 0; i < order.size(); ++i)
       for (std::size_t j = 0; j < order.size(); ++j)
-        largest = std::max(largest, std::abs(b(Eigen::Index(i), Eigen::Index(j)) -
+        largest = (std::max)(largest, std::abs(b(Eigen::Index(i), Eigen::Index(j)) -
                                              a(Eigen::Index(order[i]), Eigen::Index(order[j]))));
     CHECK_CLOSE(largest, 0, 1e-7 * a.maxCoeff());
   }
@@ -251,6 +251,32 @@ void impossible_options_are_refused()
     CHECK_THROWS_WITH(Diffusion_distance(5, time), std::invalid_argument, "time");
 }
 
+struct Counting_observer : internal::Observer
+{
+  bool go_further() override
+  {
+    ++questions;
+    return true;
+  }
+  std::size_t questions = 0;
+};
+
+// Between two products of the Lanczos method there is no more than one.
+void every_product_of_the_eigenvalue_solver_asks()
+{
+  const Indexed_surface surface = to_surface(bumpy_sphere(3, 1));
+  Counting_observer observer;
+  Execution execution(observer, 0, false);
+  const internal::Deflated_inverse inverse(internal::make_random_walk(surface).laplacian, execution);
+  std::vector<double> x(surface.number_of_faces(), 1), y(surface.number_of_faces());
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const std::size_t questions = observer.questions;
+    inverse.perform_op(x.data(), y.data());
+    CHECK_EQUAL(observer.questions, questions + 1);
+  }
+}
+
 int main()
 {
   eigenpairs_give_the_distances_of_the_definition();
@@ -264,6 +290,7 @@ int main()
   tiny_surfaces_have_the_pairs_that_there_are();
   failure_of_the_solver_is_reported();
   impossible_options_are_refused();
+  every_product_of_the_eigenvalue_solver_asks();
   check_is_a_metric(Diffusion_distance(), 1e-9);
   check_search_finds_the_largest_sum(Diffusion_distance(), 1e-9);
   check_survives_awkward_surfaces(Diffusion_distance());

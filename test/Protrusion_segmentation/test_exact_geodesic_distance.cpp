@@ -60,7 +60,7 @@ void distances_on_a_prism_are_those_of_its_net()
   CHECK_EQUAL(sides.size(), n);
   distances(sides[0], row);
   for (std::size_t i = 0; i < n; ++i)
-    CHECK_CLOSE(row[sides[i]], double(std::min(i, n - i)) * 2 * std::sin(pi / double(n)), 1e-9);
+    CHECK_CLOSE(row[sides[i]], double((std::min)(i, n - i)) * 2 * std::sin(pi / double(n)), 1e-9);
 }
 
 // The mesh lies inside the sphere, by two hundredths.
@@ -77,7 +77,7 @@ void distances_on_a_sphere_are_arcs()
   };
   for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
-    const double arc = std::acos(std::max(-1., std::min(1., direction(100) * direction(f))));
+    const double arc = std::acos((std::max)(-1., (std::min)(1., direction(100) * direction(f))));
     CHECK_CLOSE(row[f], arc, 0.03 * arc + 1e-9);
   }
 }

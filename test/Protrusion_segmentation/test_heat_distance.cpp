@@ -45,7 +45,7 @@ void distances_on_a_sphere_are_arcs()
     distances(source, row);
     for (Index f = 0; f < surface.number_of_faces(); ++f)
     {
-      const double arc = std::acos(std::max(-1., std::min(1., direction(source) * direction(f))));
+      const double arc = std::acos((std::max)(-1., (std::min)(1., direction(source) * direction(f))));
       CHECK_CLOSE(row[f], arc, 0.03 * arc + 0.06);
     }
   }
@@ -63,7 +63,7 @@ void distances_on_a_cylinder_are_those_of_its_net()
   {
     const Indexed_surface::Point_3 p = surface.centroid(f);
     const double turn = std::abs(std::atan2(p.y(), p.x()) - std::atan2(source.y(), source.x()));
-    const double d = std::hypot(std::min(turn, 2 * pi - turn), p.z() - source.z());
+    const double d = std::hypot((std::min)(turn, 2 * pi - turn), p.z() - source.z());
     CHECK_CLOSE(row[f], d, 0.06 * d + 0.1);
   }
 }

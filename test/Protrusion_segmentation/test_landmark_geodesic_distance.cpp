@@ -55,9 +55,9 @@ void check_definition(const Indexed_surface& surface, std::size_t number_of_land
     distances(i, row);
     double error = 0;
     for (Index j = 0; j < surface.number_of_faces(); ++j)
-      error = std::max(error, std::abs(row[j] - expected[i][j]));
+      error = (std::max)(error, std::abs(row[j] - expected[i][j]));
     CHECK(error < 1e-12);
-    largest = std::max(largest, sum(expected[i]));
+    largest = (std::max)(largest, sum(expected[i]));
   }
   CHECK_CLOSE(sum(expected[distances.face_of_largest_sum()]), largest, 1e-11 * largest);
 }

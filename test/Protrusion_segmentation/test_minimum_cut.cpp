@@ -67,7 +67,7 @@ double best_component(const Weighted_dual_graph& graph, const Nodes& order)
         }
     }
     if (queue.size() < order.size())
-      best = std::min(best, internal::relative_cost(cost_of(graph, inner), area, 1));
+      best = (std::min)(best, internal::relative_cost(cost_of(graph, inner), area, 1));
   }
   return best;
 }
@@ -89,7 +89,7 @@ void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
     sweep(order, 1, 0, descending, level_sets);
     double best = infinity;
     for (const Level_set& level_set : level_sets)
-      best = std::min(best, level_set.relative_cost);
+      best = (std::min)(best, level_set.relative_cost);
     const double expected = best_component(graph, order);
     if (expected < infinity)
       CHECK_CLOSE(best, expected, 1e-6 * (1 + expected));
@@ -134,7 +134,7 @@ void minimum_cuts_are_minimal(unsigned int seed)
     std::vector<bool> candidate = is_inner;
     for (std::size_t i = 0; i < band.size(); ++i)
       candidate[band[i]] = (subset >> i) & 1;
-    least = std::min(least, cost_of(graph, candidate));
+    least = (std::min)(least, cost_of(graph, candidate));
   }
   CHECK_CLOSE(cost_of(graph, found), least, 1e-6 * (1 + least));
 }

@@ -155,7 +155,7 @@ void odd_meshes_are_segmented()
       {
         const Segmentation found = default_segmentation(mesh, k);
         CHECK(found.number >= 1);
-        CHECK(found.number <= std::max(k, number_of_components(mesh)));
+        CHECK(found.number <= (std::max)(k, number_of_components(mesh)));
       }
   for (unsigned int seed = 0; seed < 40; ++seed)
     CHECK(default_segmentation(random_surface(seed), 4).number >= 1);

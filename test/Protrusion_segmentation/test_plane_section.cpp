@@ -34,7 +34,7 @@ double brute_force_diameter(const Points& points)
   double largest = 0;
   for (const Point& p : points)
     for (const Point& q : points)
-      largest = std::max(largest, length(p - q));
+      largest = (std::max)(largest, length(p - q));
   return largest;
 }
 
@@ -122,11 +122,11 @@ public:
     const std::vector<Points> expected = components_by_slicer(m_mesh, plane);
     const std::vector<Points> found = components_by_walk(m_surface, m_section, plane);
     CHECK_EQUAL(found.size(), expected.size());
-    for (std::size_t i = 0; i < std::min(found.size(), expected.size()); ++i)
+    for (std::size_t i = 0; i < (std::min)(found.size(), expected.size()); ++i)
     {
       CHECK_EQUAL(found[i].size(), expected[i].size());
       CHECK_CLOSE(brute_force_diameter(found[i]), brute_force_diameter(expected[i]), tolerance);
-      for (std::size_t j = 0; j < std::min(found[i].size(), expected[i].size()); ++j)
+      for (std::size_t j = 0; j < (std::min)(found[i].size(), expected[i].size()); ++j)
         CHECK(std::any_of(expected[i].begin(), expected[i].end(),
                           [&](const Point& p) { return length(p - found[i][j]) < tolerance; }));
     }

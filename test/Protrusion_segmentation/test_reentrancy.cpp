@@ -5,10 +5,10 @@
 // Several threads may segment one constant mesh at the same time. Compiled with the thread sanitizer where
 // there is one, and without TBB, which it does not know.
 
+#include "optional_distances.h"
 #include "segmentations.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -33,14 +33,17 @@ int main()
 {
   const Mesh mesh = to_graph<Mesh>(star(3, 1, 0.3, 0.04, 0.4));
   const Minimum_cut_method minimum_cut;
-  const Minimum_cut_method minimum_cut_by_diffusion{Diffusion_distance()};
   const Histogram_method geodesic;
   const Histogram_method landmark{Landmark_geodesic_distance()};
-  const Histogram_method diffusion{Diffusion_distance()};
-  const std::vector<std::function<Labels()>> methods = {
-    [&]() { return labels(mesh, minimum_cut); }, [&]() { return labels(mesh, minimum_cut_by_diffusion); },
-    [&]() { return labels(mesh, geodesic); }, [&]() { return labels(mesh, landmark); },
-    [&]() { return labels(mesh, diffusion); }};
+  std::vector<std::function<Labels()>> methods = {[&]() { return labels(mesh, minimum_cut); },
+                                                  [&]() { return labels(mesh, geodesic); },
+                                                  [&]() { return labels(mesh, landmark); }};
+  with_diffusion_distance(
+    [&](const auto& distance)
+    {
+      methods.push_back([&mesh, method = Minimum_cut_method(distance)]() { return labels(mesh, method); });
+      methods.push_back([&mesh, method = Histogram_method(distance)]() { return labels(mesh, method); });
+    });
 
   std::vector<Labels> expected;
   for (const auto& method : methods)

@@ -150,7 +150,7 @@ void no_diameter_is_below_zero_or_beyond_the_body()
     double largest = 0;
     for (const Point& p : mesh.points)
       for (const Point& q : mesh.points)
-        largest = std::max(largest, length(p - q));
+        largest = (std::max)(largest, length(p - q));
     const Seen_from_below seen(mesh);
     for (std::size_t slot = 0; slot < number_of_slots; ++slot)
       CHECK(seen.diameter(slot) >= 0 && seen.diameter(slot) <= largest * (1 + 1e-12));

@@ -5,10 +5,10 @@
 // Whatever a mesh holds, the result is a valid segmentation or an exception that says why.
 
 #include "awkward_meshes.h"
+#include "optional_distances.h"
 #include "segmentations.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -60,7 +60,7 @@ void check_valid(const Mesh& mesh)
   };
   check_both(Geodesic_distance());
   check_both(Landmark_geodesic_distance());
-  check_both(Diffusion_distance());
+  with_diffusion_distance(check_both);
   const std::vector<Mesh::Face_index> tips = tips_of(mesh, Geodesic_distance());
   check_method(mesh, tips, Minimum_cut_method());
   check_method(mesh, tips, Histogram_method().uses_candidate_intervals(false).minimum_prominence(1e-6));

@@ -45,7 +45,7 @@ int main()
   mesh_types::test_polyhedra();
   mesh_types::test_linear_cell_complex();
   mesh_types::test_views_of_meshes();
-#ifdef PROTRUSION_SEGMENTATION_TEST_WITH_OPENMESH
+#ifdef CGAL_TEST_WITH_OPENMESH
   mesh_types::test_openmesh();
 #endif
   return check::result();

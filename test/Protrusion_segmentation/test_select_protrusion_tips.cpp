@@ -45,7 +45,7 @@ void check_equations(const Indexed_surface& surface, std::size_t count)
   {
     CHECK(value[tip] >= *std::max_element(value.begin(), value.end()) * (1 - 1e-12));
     for (std::size_t f = 0; f < value.size(); ++f)
-      value[f] = first ? d[tip][f] : std::min(value[f], d[tip][f]);
+      value[f] = first ? d[tip][f] : (std::min)(value[f], d[tip][f]);
     first = false;
   }
 }

@@ -54,7 +54,7 @@ void equals_floyd_warshall()
     {
       shortest(source, distances);
       for (std::size_t f = 0; f < distances.size(); ++f)
-        error = std::max(error, std::abs(distances[f] - expected[source][f]));
+        error = (std::max)(error, std::abs(distances[f] - expected[source][f]));
     }
     CHECK(error < 1e-12);
   }

@@ -165,7 +165,7 @@ void check_no_slivers(const Test_mesh& mesh, double bound)
   {
     double longest = 0;
     for (std::size_t i = 0; i < 3; ++i)
-      longest = std::max(longest, length(mesh.points[face[i]] - mesh.points[face[(i + 1) % 3]]));
+      longest = (std::max)(longest, length(mesh.points[face[i]] - mesh.points[face[(i + 1) % 3]]));
     CHECK(2 * face_area(mesh, face) > bound * longest * longest);
   }
 }

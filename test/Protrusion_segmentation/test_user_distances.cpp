@@ -4,12 +4,11 @@
 //
 // Distances of a user's: one that wraps another one is as good as that; one that answers nonsense is refused.
 
+#include "optional_distances.h"
 #include "segmentations.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
-#include <CGAL/Protrusion_segmentation/Heat_distance.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -182,8 +181,8 @@ int main()
 {
   a_wrapped_distance_is_as_good(Geodesic_distance());
   a_wrapped_distance_is_as_good(Landmark_geodesic_distance());
-  a_wrapped_distance_is_as_good(Diffusion_distance());
-  a_wrapped_distance_is_as_good(Heat_distance());
+  with_diffusion_distance([](const auto& distance) { a_wrapped_distance_is_as_good(distance); });
+  with_heat_distance([](const auto& distance) { a_wrapped_distance_is_as_good(distance); });
   a_wrapped_distance_is_as_good(Exact_geodesic_distance());
   nonsense_is_refused();
   return check::result();

@@ -45,7 +45,7 @@ Mesh bumpy_sphere(int level)
     const double length = std::sqrt(direction.squared_length());
     double largest = 0;
     for (int axis = 0; axis < 3; ++axis)
-      largest = std::max(largest, std::abs(direction[axis]) / length);
+      largest = (std::max)(largest, std::abs(direction[axis]) / length);
     mesh.point(v) = CGAL::ORIGIN + direction * ((1 + std::pow(largest, 40)) / length);
   }
   return mesh;

@@ -83,14 +83,14 @@ double peak_bytes_of(const std::function<void()>& call)
   reset_peak();
   const double before = status_bytes("VmRSS:");
   call();
-  return std::max(0., status_bytes("VmHWM:") - before);
+  return (std::max)(0., status_bytes("VmHWM:") - before);
 }
 
 std::string number(double value, int digits)
 {
   const int before_point = value > 0 ? int(std::floor(std::log10(value))) + 1 : 1;
   std::ostringstream out;
-  out << std::fixed << std::setprecision(std::max(0, digits - before_point)) << value;
+  out << std::fixed << std::setprecision((std::max)(0, digits - before_point)) << value;
   return out.str();
 }
 

@@ -12,12 +12,10 @@
 #include "markdown_tables.h"
 #include "peers.h"
 #include "protrusion_methods.h"
-#include "reading/lower_case_extension.h"
-#include "reading/read_mesh.h"
 
+#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/validation.h>
-#include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <CLI/CLI.hpp>
 
@@ -46,11 +44,11 @@ struct Options
 // All files in the folder and the folders in it, in the order of their names.
 std::vector<fs::path> mesh_files(const Options& options)
 {
-  const std::vector<std::string> known = tool::mesh_extensions();
+  const std::vector<std::string> known = {".off", ".obj", ".ply", ".stl", ".ts"}; // that CGAL reads
   std::vector<fs::path> all, result;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(options.folder))
-    if (entry.is_regular_file() && std::find(known.begin(), known.end(),
-                                            tool::lower_case_extension(entry.path().string())) != known.end())
+    if (entry.is_regular_file() &&
+        std::find(known.begin(), known.end(), entry.path().extension().string()) != known.end())
       all.push_back(entry.path());
   std::sort(all.begin(), all.end());
   for (std::size_t i = 0; i < all.size(); i += options.every)
@@ -58,11 +56,14 @@ std::vector<fs::path> mesh_files(const Options& options)
   return result;
 }
 
-// As the command line tool reads it.
+// Faces that do not fit together are oriented anew, and vertices duplicated.
 Mesh read(const fs::path& file)
 {
   Mesh mesh;
-  CGAL::copy_face_graph(tool::read_mesh(file.string()), mesh);
+  if (!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file.string(), mesh))
+    throw std::runtime_error("no mesh that can be read");
+  if (mesh.number_of_faces() == 0)
+    throw std::runtime_error("has no faces");
   return mesh;
 }
 
@@ -118,12 +119,7 @@ std::vector<Run> run_all(const Options& options)
     };
     std::cerr << name << std::endl;
     if (!add("reading", [&]() { return check_size(read(file), options.maximum_number_of_faces); }))
-    {
-      std::string& reason = runs.back().outcome.text;
-      if (reason.compare(0, file.string().size(), file.string()) == 0) // the table names the file already
-        reason.erase(0, file.string().size() + 2);
       continue;
-    }
     for (const Segmentation_method& method : methods)
       add(method.name, [&]() { return segment(file, method, options.number_of_segments); });
   }

@@ -5,9 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_DIFFUSION_DISTANCE_H
 #define CGAL_PROTRUSION_SEGMENTATION_DIFFUSION_DISTANCE_H
 
-#if !__has_include(<Eigen/Core>) || !__has_include(<Spectra/SymEigsSolver.h>)
-#error "Diffusion_distance.h needs the header libraries Eigen and Spectra (Debian: libspectra-dev)"
-#endif
+#if (defined(CGAL_EIGEN3_ENABLED) && __has_include(<Spectra/SymEigsSolver.h>)) || defined(DOXYGEN_RUNNING)
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
@@ -158,5 +156,32 @@ private:
 
 } // namespace Protrusion_segmentation
 } // namespace CGAL
+
+#else // without Eigen or Spectra, the header compiles, and its use says what is missing
+
+#include <CGAL/Default.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+template <typename Spectra = Default>
+class Diffusion_distance
+{
+public:
+  template <typename... Arguments>
+  explicit Diffusion_distance(const Arguments&...)
+  {
+    static_assert(!std::is_same<Spectra, Default>::value,
+                  "Diffusion_distance needs CGAL with Eigen, and Spectra (Debian: libspectra-dev): link with "
+                  "CGAL::Eigen3_support, or request the component Spectra of Protrusion_segmentation");
+  }
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_EIGEN3_ENABLED and Spectra
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_DIFFUSION_DISTANCE_H

@@ -5,12 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_HEAT_DISTANCE_H
 #define CGAL_PROTRUSION_SEGMENTATION_HEAT_DISTANCE_H
 
-#if !__has_include(<Eigen/Core>)
-#error "Heat_distance.h needs the header library Eigen (Debian: libeigen3-dev)"
-#endif
-#if !defined(CGAL_EIGEN3_ENABLED)
-#error "Heat_distance.h needs CGAL with Eigen: link with CGAL::Eigen3_support, or request the component Eigen of Protrusion_segmentation"
-#endif
+#if defined(CGAL_EIGEN3_ENABLED) || defined(DOXYGEN_RUNNING)
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
@@ -150,5 +145,32 @@ public:
 
 } // namespace Protrusion_segmentation
 } // namespace CGAL
+
+#else // without Eigen, the header compiles, and its use says what is missing
+
+#include <CGAL/Default.h>
+
+#include <type_traits>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+template <typename Eigen = Default>
+class Heat_distance
+{
+public:
+  template <typename... Arguments>
+  explicit Heat_distance(const Arguments&...)
+  {
+    static_assert(!std::is_same<Eigen, Default>::value,
+                  "Heat_distance needs CGAL with Eigen: link with CGAL::Eigen3_support, or request the component "
+                  "Eigen of Protrusion_segmentation");
+  }
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_EIGEN3_ENABLED
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_HEAT_DISTANCE_H

@@ -48,9 +48,9 @@ public:
   // A smooth minimum of the distances; it does not depend on the order of the sticks.
   double value(const Point& p) const
   {
-    double nearest = std::numeric_limits<double>::max();
+    double nearest = (std::numeric_limits<double>::max)();
     for (const Stick& stick : m_sticks)
-      nearest = std::min(nearest, stick.distance(p));
+      nearest = (std::min)(nearest, stick.distance(p));
     double sum = 0;
     for (const Stick& stick : m_sticks)
       sum += std::exp((nearest - stick.distance(p)) / m_blend);
@@ -71,7 +71,7 @@ public:
     Box result;
     for (const Stick& stick : m_sticks)
     {
-      const double radius = std::max(stick.radius_from, stick.radius_to);
+      const double radius = (std::max)(stick.radius_from, stick.radius_to);
       result.add(stick.from, radius);
       result.add(stick.to, radius);
     }

@@ -39,7 +39,7 @@ inline double largest_entry(const std::vector<std::vector<double>>& d)
 {
   double largest = 0;
   for (const std::vector<double>& row : d)
-    largest = std::max(largest, *std::max_element(row.begin(), row.end()));
+    largest = (std::max)(largest, *std::max_element(row.begin(), row.end()));
   return largest;
 }
 

@@ -166,7 +166,7 @@ inline Test_mesh dumbbell(double lower_radius = 1,
                       .arc(lower_radius, -lower_radius * std::sin(lower), -pi / 2, lower, 1)
                       .line(bar_radius, 0, bar_radius, bar_length, 0)
                       .arc(upper_radius, bar_length - upper_radius * std::sin(upper), upper, pi / 2, 2),
-                    slices_for(std::max(lower_radius, upper_radius), spacing));
+                    slices_for((std::max)(lower_radius, upper_radius), spacing));
 }
 
 // A torus around the z-axis in `around` * `across` quads. One part.

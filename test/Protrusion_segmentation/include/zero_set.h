@@ -26,8 +26,8 @@ struct Box
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      low[i] = std::min(low[i], center[i] - radius);
-      high[i] = std::max(high[i], center[i] + radius);
+      low[i] = (std::min)(low[i], center[i] - radius);
+      high[i] = (std::max)(high[i], center[i] + radius);
     }
   }
 };
@@ -86,8 +86,8 @@ private:
     const double nearby = 2 * std::sqrt(2.) * half * m_cell;
     const double value = m_function(
       m_origin + m_cell * Point{double(x_begin) + half, double(y_begin) + half, double(z)});
-    for (std::size_t y = y_begin; y < std::min(y_begin + block, m_size[1]); ++y)
-      for (std::size_t x = x_begin; x < std::min(x_begin + block, m_size[0]); ++x)
+    for (std::size_t y = y_begin; y < (std::min)(y_begin + block, m_size[1]); ++y)
+      for (std::size_t x = x_begin; x < (std::min)(x_begin + block, m_size[0]); ++x)
       {
         const std::size_t v = y * m_size[0] + x;
         m_layers[z % 2][v] = std::abs(value) > nearby

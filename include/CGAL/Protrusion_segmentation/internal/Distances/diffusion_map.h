@@ -5,6 +5,8 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_DIFFUSION_MAP_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_DIFFUSION_MAP_H
 
+#if defined(CGAL_EIGEN3_ENABLED) && __has_include(<Spectra/SymEigsSolver.h>)
+
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/random_walk.h>
 
@@ -230,5 +232,7 @@ inline double decay(const std::vector<double>& values, std::size_t k, double tim
 } // namespace internal
 } // namespace Protrusion_segmentation
 } // namespace CGAL
+
+#endif // CGAL_EIGEN3_ENABLED and Spectra
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_DIFFUSION_MAP_H

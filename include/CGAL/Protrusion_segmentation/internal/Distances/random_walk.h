@@ -5,6 +5,8 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_RANDOM_WALK_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_RANDOM_WALK_H
 
+#ifdef CGAL_EIGEN3_ENABLED
+
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Edge_conductances.h>
 
@@ -66,5 +68,7 @@ inline Random_walk make_random_walk(const Indexed_surface& surface)
 } // namespace internal
 } // namespace Protrusion_segmentation
 } // namespace CGAL
+
+#endif // CGAL_EIGEN3_ENABLED
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_RANDOM_WALK_H

@@ -1,4 +1,6 @@
 #!/bin/sh
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Unpacks the headers of CGAL 6 from the next Debian release into a folder, beside the installed

@@ -1,4 +1,6 @@
 #!/bin/bash
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # measure_coverage.sh BUILD_FOLDER
@@ -7,9 +9,10 @@
 # headers they reach, then the lines that none reaches.
 
 set -euo pipefail
-folder=$(cd "$1/test/Protrusion_segmentation" && pwd)
-cd "$(dirname "$0")"
-include=$(cd ../../include && pwd)
+build=$(cd "$1" && pwd)
+folder=$build/test/Protrusion_segmentation
+cd "$(dirname "$0")/.."
+include=$(cd include && pwd)
 profiles=$folder/profiles
 rm -rf "$profiles"
 mkdir "$profiles"
@@ -17,13 +20,13 @@ objects=()
 for program in "$folder"/test_*; do
   [ -f "$program" ] && [ -x "$program" ] || continue
   echo "running $(basename "$program")" >&2
-  LLVM_PROFILE_FILE=$profiles/$(basename "$program").profraw "$program" >/dev/null || [ $? = 77 ] # skipped
+  (cd test/Protrusion_segmentation && LLVM_PROFILE_FILE=$profiles/$(basename "$program").profraw "$program" >/dev/null)
   objects+=(-object "$program")
 done
 for name in fuzz_seg_replay fuzz_mesh_replay; do
-  if [ -x "$folder/$name" ]; then
-    LLVM_PROFILE_FILE=$profiles/$name.profraw "$folder/$name" data fuzz/corpus >/dev/null
-    objects+=(-object "$folder/$name")
+  if [ -x "$build/checks/$name" ]; then
+    LLVM_PROFILE_FILE=$profiles/$name.profraw "$build/checks/$name" checks/data checks/fuzz/corpus >/dev/null
+    objects+=(-object "$build/checks/$name")
   fi
 done
 llvm-profdata merge -sparse "$profiles"/*.profraw -o "$profiles/all.profdata"

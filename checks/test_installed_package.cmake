@@ -1,6 +1,6 @@
 # Installs the package into a folder of its own, then configures, builds and runs projects that find it
-# there: one without components and one with all. The definitions BUILD_FOLDER, PROJECT_FOLDER, WORK_FOLDER, GENERATOR, CXX_COMPILER and OPTIONS come
-# from the command line.
+# there: the README's program without components, and another one with all. The definitions BUILD_FOLDER, PROJECT_FOLDER,
+# DATA_FOLDER, WORK_FOLDER, GENERATOR, CXX_COMPILER and OPTIONS come from the command line.
 
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
@@ -21,5 +21,5 @@ foreach(project . with_components)
   if(position EQUAL -1)
     message(FATAL_ERROR "Another installation of the package was found")
   endif()
-  run(${build_folder}/my_program)
+  run(${build_folder}/my_program ${DATA_FOLDER}/tetrahedron.off ${WORK_FOLDER}/tetrahedron.seg)
 endforeach()

@@ -1,0 +1,58 @@
+# Headers that many programs include are compiled once, but with clang++ with every program, as in the folders that
+# CGAL takes when each is built alone: there a missing #include shows.
+
+if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  return()
+endif()
+
+# Two sets, since every header that a program does not need costs it time, too.
+set(headers_of_meshes
+  <boost/pending/disjoint_sets.hpp> # does not compile after the headers of Boost Graph
+  <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> <CGAL/boost/graph/Euler_operations.h>
+  <CGAL/boost/graph/helpers.h> <CGAL/Named_function_parameters.h> <boost/graph/dijkstra_shortest_paths.hpp>
+  <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <iostream> <map> <numeric> <optional>
+  <random> <set> <sstream> <string> <vector>)
+set(headers_of_segmentations
+  <CGAL/protrusion_segmentation.h> <CGAL/segmentation_metrics.h> <CGAL/boost/graph/generators.h>)
+
+foreach(set meshes segmentations)
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${set}.cpp CONTENT "")
+  add_library(precompiled_${set} OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${set}.cpp)
+  target_link_libraries(precompiled_${set} PRIVATE protrusion_program CGAL::Data)
+  target_compile_options(precompiled_${set} PRIVATE -fpch-preprocess) # ccache demands it
+endforeach()
+target_precompile_headers(precompiled_meshes PRIVATE ${headers_of_meshes})
+target_precompile_headers(precompiled_segmentations PRIVATE ${headers_of_meshes} ${headers_of_segmentations})
+
+# Every target with sources of its own that is compiled as programs are gets the set that its first source needs.
+function(protrusion_reuse_precompiled_headers folder)
+  get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+  foreach(target ${targets})
+    get_target_property(type ${target} TYPE)
+    get_target_property(libraries ${target} LINK_LIBRARIES)
+    # What is linked with Qt is compiled in another way, and a header that compiles alone does so without others.
+    if(target MATCHES "^(precompiled|test_headers)_" OR libraries MATCHES "Basic_viewer" OR
+       NOT type MATCHES "EXECUTABLE|STATIC_LIBRARY|OBJECT_LIBRARY" OR
+       NOT libraries MATCHES "protrusion_(program|mesh_reader|tool_support)")
+      continue()
+    endif()
+    get_target_property(sources ${target} SOURCES)
+    list(GET sources 0 source)
+    get_target_property(source_folder ${target} SOURCE_DIR)
+    get_filename_component(source ${source} ABSOLUTE BASE_DIR ${source_folder})
+    file(STRINGS ${source} includes LIMIT_COUNT 1 REGEX
+      "#include [<\"]([^>\"]*/)?(protrusion_segmentation|all_public_headers|mesh|mesh_types|segmentations)\\.h")
+    if(includes)
+      target_precompile_headers(${target} REUSE_FROM precompiled_segmentations)
+    else()
+      target_precompile_headers(${target} REUSE_FROM precompiled_meshes)
+    endif()
+    target_compile_options(${target} PRIVATE -fpch-preprocess)
+  endforeach()
+  get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
+  foreach(subfolder ${folders})
+    protrusion_reuse_precompiled_headers(${subfolder})
+  endforeach()
+endfunction()
+
+protrusion_reuse_precompiled_headers(${PROJECT_SOURCE_DIR})

@@ -1,0 +1,24 @@
+#!/bin/bash
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# check_headers.sh public|all [OPTION...]
+#
+# Every header compiles alone without a warning and without Eigen, Spectra and TBB, as CGAL checks it. (That they do with these
+# libraries is a part of the build for tests.) OPTIONs are for the compiler, CXX, by default g++.
+
+set -euo pipefail
+which=${1:?usage: check_headers.sh public|all [OPTION...]}
+shift
+cd "$(dirname "$0")/../../include"
+headers=$(find CGAL -name '*.h' | LC_ALL=C sort)
+[ "$which" = all ] || headers=$(grep -v /internal/ <<<"$headers")
+
+# The header comes as the only line of a file, not as the file itself: of that `#pragma once` and others would complain.
+xargs -P "${JOBS:-$(nproc)}" -I '{}' bash -c '
+  header=$1
+  shift
+  echo "#include <$header>" | "$@" -std=c++17 -fsyntax-only -Wall -Wextra -Werror -I . -x c++ - ||
+    { echo "check_headers.sh: $header does not compile alone" >&2; exit 1; }' _ '{}' "${CXX:-g++}" "$@" <<<"$headers"
+echo "$(wc -l <<<"$headers") headers compile alone, without Eigen, Spectra and TBB"

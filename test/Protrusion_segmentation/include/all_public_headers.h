@@ -1,0 +1,27 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_ALL_PUBLIC_HEADERS_H
+#define CGAL_TEST_PROTRUSION_SEGMENTATION_ALL_PUBLIC_HEADERS_H
+
+#include <CGAL/IO/SEG.h>
+#include <CGAL/Protrusion_segmentation/Consistency_error.h>
+#include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
+#include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
+#include <CGAL/Protrusion_segmentation/Hamming_distance.h>
+#include <CGAL/Protrusion_segmentation/Heat_distance.h>
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
+#include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
+#include <CGAL/Protrusion_segmentation/Protrusion.h>
+#include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
+#include <CGAL/Protrusion_segmentation/Segmentation_metrics.h>
+#include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
+#include <CGAL/protrusion_segmentation.h>
+#include <CGAL/segmentation_metrics.h>
+
+#endif // CGAL_TEST_PROTRUSION_SEGMENTATION_ALL_PUBLIC_HEADERS_H
