@@ -24,6 +24,7 @@ if [ $# = 0 ]; then
   ctest --test-dir "$build" --output-on-failure
 else
   cmake --build "$build" -j "$jobs" --target "$@"
+  # The names are execution___of__... in CGAL 5 and "execution   of  ..." in CGAL 6.
   ctest --test-dir "$build" --output-on-failure --no-tests=error \
-        --tests-regex "^execution___of__($(IFS='|'; echo "$*"))\$"
+        --tests-regex "^execution[_ ]+of[_ ]+($(IFS='|'; echo "$*"))\$"
 fi

@@ -35,5 +35,5 @@ for folder in examples test; do
   [ $folder = examples ] || programs=("$@")
   "$root/checks/build_as_cgal.sh" "$branch/Protrusion_segmentation/$folder/Protrusion_segmentation" "$work/$folder" \
     "$branch/Installation/lib/cmake/CGAL" ${programs[@]+"${programs[@]}"}
-  grep -q "CGAL_DIR:PATH=$branch/Installation" "$work/$folder/CMakeCache.txt"
+  grep -q "^CGAL_DIR:[A-Z]*=$branch/Installation" "$work/$folder/CMakeCache.txt"
 done

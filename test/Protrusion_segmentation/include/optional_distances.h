@@ -7,6 +7,8 @@
 #ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_OPTIONAL_DISTANCES_H
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_OPTIONAL_DISTANCES_H
 
+#include "test_mesh.h" // first: it includes a header of Boost that does not compile after those of Boost Graph
+
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/Heat_distance.h>
 
