@@ -56,8 +56,8 @@ exact kernel are rounded.
 \param tmesh the mesh. Faces may be any polygons; there may be borders and several components.
 \param segment_ids the segment of every face; written only if the function succeeds
 \param number_of_segments the number of segments k, from 1 to the number of faces
-\param method the method with its options and its distance, for instance
-       `Protrusion_segmentation::Histogram_method(Protrusion_segmentation::Landmark_geodesic_distance(0.1))`
+\param method the method with its options and its distance, for instance a `Protrusion_segmentation::Histogram_method`
+       that is made from a `Protrusion_segmentation::Landmark_geodesic_distance`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
