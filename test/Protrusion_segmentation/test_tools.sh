@@ -52,6 +52,12 @@ expect_text() # FILE TEXT
   grep -qaF -- "$2" "$1" || fail "$command: no '$2' in $1"
 }
 
+# The first number with that key.
+json_value() # FILE KEY
+{
+  grep -m 1 -F "\"$2\": " "$1" | tr -cd '0-9'
+}
+
 # Nothing but these files may be in the folder.
 expect_files() # FOLDER NAME...
 {
@@ -231,7 +237,7 @@ test_distances()
     expect_text stdout '"segments": 3,'
     [ $distance = landmark ] || expect_text stdout '"landmarks": null'
     [ $distance = diffusion ] || expect_text stdout '"eigenpairs": null'
-    [ $distance = diffusion ] || expect_text stdout '"time": null'
+    [ $distance = diffusion ] || expect_text stdout '"diffusion_time": null'
   done
   expect 0 "$segment" $in -k 3 --json - # the default method measures on a graph of its own
   for key in '"method": "minimum-cut"' '"distance": null' '"border_slot": null' '"value": ' '"preparation"'; do
@@ -239,7 +245,7 @@ test_distances()
   done
   expect 0 "$segment" $in -k 3 --distance diffusion --eigenpairs 5 --time 0 --json -
   expect_text stdout '"eigenpairs": 5,'
-  expect_text stdout '"time": 0.0,'
+  expect_text stdout '"diffusion_time": 0.0,'
   expect 0 "$segment" "$data/tetrahedron.off" --distance diffusion --eigenpairs 300
   expect 2 "$segment" "$data/tetrahedron.off" --distance diffusion --eigenpairs 1000000
   expect 2 "$segment" $in --distance heat --time 1
@@ -265,7 +271,7 @@ test_number_of_segments()
   [ ! -e outputs/five.seg ] || fail "$command: wrote an output"
 }
 
-# The table of the awkward files: | `name` | what it is | accept, accept or repair, reject |
+# The table of the awkward files: | `name` | what it is | accept, repair, reject |
 test_awkward_meshes()
 {
   mkdir awkward
@@ -281,21 +287,24 @@ test_awkward_meshes()
     run "$segment" "$data/$name" -o awkward/a.seg -o awkward/a.ply -o awkward/a.glb -o awkward/a.vtp \
         -o awkward/parts/%d.ply --json awkward/a.json "${report_option[@]}"
     case "$duty:$code" in
-      accept:0 | "accept or repair:0")
+      accept:0 | repair:0)
         [ -s awkward/a.seg ] && [ -s awkward/a.json ] || fail "$name: accepted without output"
+        [ "$(wc -l <awkward/a.seg)" = "$(json_value awkward/a.json faces)" ] || fail "$name: not a label for each face"
+        [ $duty = accept ] || grep -qE "degenerate|duplicate|more than two faces|turned over" stderr ||
+          fail "$name: repaired without a word"
         rm -r awkward/* ;;
-      reject:1 | "accept or repair:1")
+      reject:1)
         expect_one_line "$data/$name: " ;;
       *)
         fail "$name: must $duty" ;;
     esac
     expect_empty_folder awkward
-  done < <(sed -nE 's/^\| `([^`]*)`.*\| (accept|accept or repair|reject) \|$/\1\t\2/p' "$data/README.md" |
+  done < <(sed -nE 's/^\| `([^`]*)`.*\| (accept|repair|reject) \|$/\1\t\2/p' "$data/README.md" |
            grep -v '\.seg')
   expect 1 "$segment" "$data/no_such_file.off"
   expect_one_line "no_such_file.off: "
-  expect 1 "$segment" "$data"
-  expect_one_line "$data: "
+  expect 2 "$segment" "$data"
+  expect_one_line "--output-folder"
 }
 
 test_awkward_segmentations()
