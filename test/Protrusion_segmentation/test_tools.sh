@@ -3,13 +3,13 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_tools.sh SEGMENT_BY_PROTRUSIONS EVALUATE_SEGMENTATION MAKE_EXAMPLE_MESH DATA_FOLDER WORK_FOLDER
+# test_tools.sh SEGMENT_BY_PROTRUSIONS EVALUATE_SEGMENTATION MAKE_EXAMPLE_MESH DATA_FOLDER WORK_FOLDER JSON_SCHEMA
 #
 # The command line tools as a user meets them: exit codes, messages, files; on good input, on each of the
 # awkward files as its entry in the table of DATA_FOLDER/README.md demands, and where nothing can be written.
 
 set -uo pipefail
-segment=$1 evaluate=$2 make_mesh=$3 data=$4 work=$5
+segment=$1 evaluate=$2 make_mesh=$3 data=$4 work=$5 schema=$6
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
@@ -274,7 +274,7 @@ test_number_of_segments()
 # The table of the awkward files: | `name` | what it is | accept, repair, reject |
 test_awkward_meshes()
 {
-  mkdir awkward
+  mkdir awkward records
   local name duty distance
   while IFS=$'\t' read -r name duty; do
     if [ "$duty" != reject ]; then
@@ -292,6 +292,7 @@ test_awkward_meshes()
         [ "$(wc -l <awkward/a.seg)" = "$(json_value awkward/a.json faces)" ] || fail "$name: not a label for each face"
         [ $duty = accept ] || grep -qE "degenerate|duplicate|more than two faces|turned over" stderr ||
           fail "$name: repaired without a word"
+        mv awkward/a.json "records/$name.json"
         rm -r awkward/* ;;
       reject:1)
         expect_one_line "$data/$name: " ;;
@@ -356,6 +357,141 @@ test_unwritable_outputs()
   "$segment" "$in" >/dev/full 2>stderr && fail "standard output: a full one is no failure"
 }
 
+test_words()
+{
+  local in=outputs/teddy.off words
+  for words in 0 -3 abc 2.5 99999999999999999999999; do
+    expect 2 "$segment" $in -k "$words"
+    expect_one_line "'$words' is "
+    [ "$(wc -c <stderr)" -lt 120 ] || fail "$command: too many words"
+  done
+  expect 0 "$segment" --version
+  grep -qE "^segment_by_protrusions [0-9]+\.[0-9]+\.[0-9]+$" stdout || fail "$command: no version"
+  : >outputs/empty.xyz
+  expect 1 "$segment" outputs/empty.xyz
+  expect_one_line "outputs/empty.xyz: is in no known format"
+  expect 0 "$segment" $in -k 4 -o outputs/numbered/%03d.off
+  expect_text stdout "wrote outputs/numbered/%03d.off (4 files)"
+  expect_files outputs/numbered 000.off 001.off 002.off 003.off
+  expect 0 "$segment" $in -k 4 --distance diffusion --eigenpairs 101
+  expect_text stderr "101 eigenpairs on "
+  expect 1 "$segment" "$data/word_in_face.obj"
+  expect_one_line "word_in_face.obj: line 6: 'x' is no corner of a face"
+  expect 1 "$segment" "$data/incomplete_vertex.off"
+  expect_one_line "incomplete_vertex.off: line 4: "
+  expect 1 "$segment" "$data/range_grid.ply"
+  expect_one_line "range grid"
+  expect 0 "$segment" "$data/facet_of_two_points.stl" --json -
+  expect_text stderr "1 degenerate face has the label of a neighbour"
+  expect_text stdout '"degenerate_faces": 1,'
+  expect 0 "$segment" "$data/double_sided.off" --json -
+  expect_text stderr "6 duplicate faces have that of the first"
+  expect 0 "$segment" "$data/wall_between_solids.off" --json -
+  expect_text stdout '"components": 1,'
+}
+
+# The same through pipes as by files; the format is found by how the file begins.
+test_pipes()
+{
+  local name
+  expect 0 "$segment" outputs/teddy.off -k 4 -o outputs/piped.seg
+  expect 0 "$segment" outputs/teddy.off -k 4 -o -
+  cmp -s stdout outputs/piped.seg || fail "$command: the standard output is not the file"
+  for name in tetrahedron.off tetrahedron.obj tetrahedron.ply tetrahedron.stl tetrahedron_binary.stl tetrahedron.ts \
+              smallest_byte_first_binary.off no_keyword.off tetrahedron.off.gz; do
+    command="$name through a pipe"
+    "$segment" - -k 2 -o - <"$data/$name" >stdout 2>stderr || fail "is refused"
+    [ "$(wc -l <stdout)" = 4 ] || fail "has not four labels"
+  done
+  mkfifo outputs/pipe.off
+  cat "$data/tetrahedron.off" >outputs/pipe.off &
+  expect 0 "$segment" outputs/pipe.off -k 2
+  wait
+  rm outputs/pipe.off
+  command="nothing through a pipe"
+  "$segment" - </dev/null >stdout 2>stderr && fail "is accepted"
+  expect_one_line "-: is empty"
+}
+
+test_collection()
+{
+  mkdir -p meshes/inner
+  cp outputs/teddy.off meshes/a.off
+  gzip -c "$data/tetrahedron.stl" >meshes/inner/b.stl.gz
+  cp "$data/truncated.off.gz" meshes/broken.off.gz
+  cp "$data/tetrahedron.obj" "$data/tetrahedron.ply" meshes
+  local call=("$segment" meshes "$data/quads.off" --output-folder collection --jobs 2 --format seg --format ply -k 2)
+  run "${call[@]}"
+  [ "$code" = 1 ] || fail "$command: a failure is not told by the exit code"
+  expect_text stdout "meshes/a.off: "
+  expect_text stderr "meshes/broken.off.gz: is gzip, but broken"
+  expect_text stderr "6 meshes: 5 segmented, 0 already there, 1 failed"
+  expect_files collection a.{seg,ply,json} inner inner/b.{seg,ply,json} broken.json quads.{seg,ply,json} \
+               tetrahedron.obj.{seg,ply,json} tetrahedron.ply.{seg,ply,json}
+  expect_text collection/broken.json '"error": '
+  cp collection/*.json collection/inner/*.json records
+
+  cp "$data/tetrahedron.off" meshes/broken.off && rm meshes/broken.off.gz collection/a.ply
+  touch -d "1 hour" meshes/tetrahedron.obj
+  expect 0 "${call[@]}"
+  expect_text stdout "6 meshes: 3 segmented, 3 already there, 0 failed"
+  touch meshes/tetrahedron.obj
+  expect 0 "${call[@]}" --seed 1
+  expect_text stdout "6 meshes: 6 segmented, 0 already there, 0 failed"
+  expect 0 "${call[@]}" --seed 1
+  expect_text stdout "6 meshes: 0 segmented, 6 already there, 0 failed"
+  expect 0 "${call[@]}" --seed 1 --again --quiet
+  [ -s stdout ] && fail "$command: is not quiet"
+
+  expect 1 "$segment" meshes/a.off meshes/a.off --output-folder twice
+  expect_one_line "has the same name as another mesh"
+  mkdir nothing
+  expect 1 "$segment" nothing --output-folder twice
+  expect_one_line "nothing: has no mesh in it"
+  local options
+  for options in "-o a.seg" "--json a.json" "--format xyz" "--jobs 0"; do
+    # shellcheck disable=SC2086
+    expect 2 "$segment" meshes --output-folder twice $options
+  done
+  for options in "--jobs 2" "--format ply" "--again"; do
+    # shellcheck disable=SC2086
+    expect 2 "$segment" meshes/a.off $options
+  done
+  expect 2 "$segment" meshes/a.off meshes/broken.off
+}
+
+# All records so far are as the schema says, and their sums are right.
+test_json_schema()
+{
+  if ! /usr/bin/python3 -c "import jsonschema" 2>/dev/null; then
+    echo "skipped: the JSON schema (Debian: python3-jsonschema)"
+    return
+  fi
+  expect 0 "$segment" outputs/teddy.off -k 4 --method paper --distance diffusion --json records/paper.json
+  expect 0 "$segment" outputs/teddy.off -k 4 --json records/minimum_cut.json
+  expect_text records/minimum_cut.json '"distance_histogram": null'
+  run /usr/bin/python3 - "$schema" records/*.json <<'END'
+import json, sys
+import jsonschema
+validator = jsonschema.Draft7Validator(json.load(open(sys.argv[1])))
+problems = 0
+for name in sys.argv[2:]:
+    record = json.load(open(name))
+    found = [error.message[:200] for error in validator.iter_errors(record)]
+    if "error" not in record:
+        if abs(sum(stage["seconds"] for stage in record["stages"]) - record["seconds"]) > 1e-6:
+            found.append("the stages take another time than all")
+        if sum(measure["faces"] for measure in record["measures"]) != record["faces"]:
+            found.append("the segments have another number of faces than all")
+    problems += len(found)
+    for problem in found:
+        print(f"{name}: {problem}", file=sys.stderr)
+print(len(sys.argv) - 2, "records")
+sys.exit(problems > 0)
+END
+  [ "$code" = 0 ] || fail "the records are not as the schema says"
+}
+
 code=0 command="" report_option=()
 touch stdout stderr
 test_usage
@@ -368,5 +504,9 @@ test_number_of_segments
 test_awkward_meshes
 test_awkward_segmentations
 test_unwritable_outputs
+test_words
+test_pipes
+test_collection
+test_json_schema
 echo "$failures failures"
 [ "$failures" = 0 ]
