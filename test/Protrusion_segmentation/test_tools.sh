@@ -413,6 +413,22 @@ test_pipes()
   expect_one_line "-: is empty"
 }
 
+# An object within a component within a component, moved and scaled: with lib3mf, or not without a word.
+test_3MF()
+{
+  run "$segment" "$data/three_tetrahedra.3mf" -o outputs/a.off
+  if ! "$segment" --help | grep -q "3mf"; then
+    [ "$code" = 1 ] || fail "$command: is accepted"
+    expect_one_line "lib3mf"
+    return
+  fi
+  [ "$code" = 0 ] || fail "$command: is refused"
+  [ "$(sed -n 2p outputs/a.off)" = "12 12 0" ] || fail "$command: not three tetrahedra"
+  for point in "0 0 8" "2 10 0" "12 10 0" "10 12 0"; do
+    grep -qx "$point" outputs/a.off || fail "$command: no vertex at $point"
+  done
+}
+
 test_collection()
 {
   mkdir -p meshes/inner
@@ -506,6 +522,7 @@ test_awkward_segmentations
 test_unwritable_outputs
 test_words
 test_pipes
+test_3MF
 test_collection
 test_json_schema
 echo "$failures failures"

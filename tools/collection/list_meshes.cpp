@@ -42,7 +42,8 @@ void add_folder(const std::string& folder, std::vector<Mesh_in_collection>& mesh
 
 std::string without_extension(const std::string& name)
 {
-  const fs::path path = lower_case_extension(name) == ".gz" ? fs::path(name).replace_extension() : fs::path(name);
+  const fs::path path = lower_case_extension(name) == ".gz" ? fs::path(name).replace_extension()
+                                                            : fs::path(name);
   return fs::path(path).replace_extension().generic_string();
 }
 

@@ -38,8 +38,10 @@ class Teller
 {
 public:
   Teller(std::size_t number_of_meshes, bool is_quiet)
-    : m_number_of_meshes(number_of_meshes), m_is_quiet(is_quiet), m_bar(!is_quiet && is_standard_error_a_terminal())
-  { }
+    : m_number_of_meshes(number_of_meshes),
+      m_is_quiet(is_quiet),
+      m_bar(!is_quiet && is_standard_error_a_terminal())
+  {}
 
   // One mesh is done, and this is its line.
   void tell(const std::string& line, bool is_error)
@@ -47,7 +49,8 @@ public:
     const std::lock_guard<std::mutex> lock(m_mutex);
     ++m_number_of_told;
     m_bar.clear();
-    const std::string place = "[" + std::to_string(m_number_of_told) + "/" + std::to_string(m_number_of_meshes) + "] ";
+    const std::string place = "[" + std::to_string(m_number_of_told) + "/" +
+                              std::to_string(m_number_of_meshes) + "] ";
     if (is_error)
       std::cerr << place << line << std::endl;
     else if (!m_is_quiet)
@@ -67,7 +70,8 @@ class Collection
 {
 public:
   explicit Collection(const Command_line& command_line)
-    : m_command_line(command_line), m_meshes(list_meshes(command_line.inputs)),
+    : m_command_line(command_line),
+      m_meshes(list_meshes(command_line.inputs)),
       m_teller(m_meshes.size(), command_line.is_quiet)
   {
     for (const Mesh_in_collection& mesh : m_meshes)
@@ -122,13 +126,16 @@ private:
         ++m_number_of_skipped;
         return m_teller.tell(mesh.input + ": already there", false);
       }
-      const Findings findings = segment_file(mesh.input, m_command_line.options, {}, [](const std::string&) {});
+      const Findings findings = segment_file(mesh.input, m_command_line.options, {},
+                                             [](const std::string&) {});
       Output_names names;
       for (const std::string& format : m_command_line.formats)
         names.segments.push_back(path(mesh, format).string());
       names.json = path(mesh, "json").string();
       write_findings(findings, names);
-      m_teller.tell(mesh.input + ": " + summary(findings) + (findings.note.empty() ? "" : " (" + findings.note + ")"), false);
+      m_teller.tell(mesh.input + ": " + summary(findings) +
+                      (findings.note.empty() ? "" : " (" + findings.note + ")"),
+                    false);
     }
     catch (const std::bad_alloc&)
     {
@@ -152,7 +159,8 @@ private:
         return false;
     std::ifstream in(path(mesh, "json"));
     const Json record = Json::parse(in, nullptr, false);
-    if (!record.is_object() || record.value("format_version", 0) != json_format_version || record.contains("error"))
+    if (!record.is_object() || record.value("format_version", 0) != json_format_version ||
+        record.contains("error"))
       return false;
     const Json options = describe(m_command_line.options);
     for (const auto& [key, value] : options.items())
@@ -168,7 +176,8 @@ private:
     std::string line = message;
     try
     {
-      const Json record = {{"format_version", json_format_version}, {"input", mesh.input}, {"error", message}};
+      const Json record = {
+        {"format_version", json_format_version}, {"input", mesh.input}, {"error", message}};
       write_output(path(mesh, "json").string(), [&](std::ostream& out) { write_json(out, record); });
     }
     catch (const std::exception& error)

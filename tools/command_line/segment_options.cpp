@@ -61,8 +61,8 @@ void check_meanings(const CLI::App& app, const std::vector<Choice>& choices, con
   for (const Choice& choice : choices)
     for (const std::string& option : choice.options)
       if (choice.name != chosen && app.count(option) > 0)
-        throw std::invalid_argument(option + " has no meaning with " + (chosen.empty() ? "the default" : chosen) +
-                                    ", only with " + choice.name);
+        throw std::invalid_argument(option + " has no meaning with " +
+                                    (chosen.empty() ? "the default" : chosen) + ", only with " + choice.name);
 }
 
 bool is_collection(const Command_line& command_line)
@@ -132,32 +132,34 @@ void check(const CLI::App& app, const Command_line& command_line)
 
 void add_segmentation_options(CLI::App& app, Segmentation_options& options)
 {
-  app.add_option("-k,--segments", options.number_of_segments,
-                 "number of segments; default: as many as there are evident protrusions")
-      ->check(counts("number of segments"))
-      ->type_name("N");
+  app
+    .add_option("-k,--segments", options.number_of_segments,
+                "number of segments; default: as many as there are evident protrusions")
+    ->check(counts("number of segments"))
+    ->type_name("N");
   app.add_option("--method", options.method, help("how borders are found", methods()))
-      ->check(CLI::IsMember(names(methods())).description(""))
-      ->type_name("NAME")
-      ->capture_default_str();
-  app.add_option("--distance", options.distance,
-                 help("distance on the surface; default: geodesic for paper, for minimum-cut its own", distances()))
-      ->check(CLI::IsMember(names(distances())).description(""))
-      ->type_name("NAME");
+    ->check(CLI::IsMember(names(methods())).description(""))
+    ->type_name("NAME")
+    ->capture_default_str();
+  app
+    .add_option(
+      "--distance", options.distance,
+      help("distance on the surface; default: geodesic for paper, for minimum-cut its own", distances()))
+    ->check(CLI::IsMember(names(distances())).description(""))
+    ->type_name("NAME");
   app.add_option("--landmarks", options.landmarks, "share or number of faces that are landmarks")
-      ->type_name("N%|N")
-      ->capture_default_str();
+    ->type_name("N%|N")
+    ->capture_default_str();
   app.add_option("--eigenpairs", options.eigenpairs, "number of terms of the diffusion distance")
-      ->check(counts("number of terms"))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_option("--time", options.time,
-                 "of the diffusion distance, from 0; at 1 the slowest term has decayed to 1/e")
-      ->type_name("T")
-      ->capture_default_str();
-  app.add_option("--seed", options.seed, "of all that is random")
-      ->type_name("N")
-      ->capture_default_str();
+    ->check(counts("number of terms"))
+    ->type_name("N")
+    ->capture_default_str();
+  app
+    .add_option("--time", options.time,
+                "of the diffusion distance, from 0; at 1 the slowest term has decayed to 1/e")
+    ->type_name("T")
+    ->capture_default_str();
+  app.add_option("--seed", options.seed, "of all that is random")->type_name("N")->capture_default_str();
 }
 
 void add_output_options(CLI::App& app, Command_line& command_line)
@@ -166,34 +168,36 @@ void add_output_options(CLI::App& app, Command_line& command_line)
                         "with %d or %03d in the name one mesh per segment; - is the standard output, in SEG";
   for (const std::string& format : output_formats())
     outputs += "\n" + format;
-  app.add_option("-o,--output", command_line.outputs, outputs)
-      ->allow_extra_args(false)
-      ->type_name("FILE");
-  app.add_option("--json", command_line.json,
-                 "write what was found as JSON, - is the standard output")
-      ->type_name("FILE");
-  app.add_option("--report", command_line.report,
-                 "write a page for the browser: the mesh in 3D, to turn and to click on, and what is\n"
-                 "known of each segment" +
-                     (can_write_report() ? "" : std::string("; not here: ") + no_report))
-      ->type_name("FILE");
+  app.add_option("-o,--output", command_line.outputs, outputs)->allow_extra_args(false)->type_name("FILE");
+  app.add_option("--json", command_line.json, "write what was found as JSON, - is the standard output")
+    ->type_name("FILE");
+  app
+    .add_option("--report", command_line.report,
+                "write a page for the browser: the mesh in 3D, to turn and to click on, and what is\n"
+                "known of each segment" +
+                  (can_write_report() ? "" : std::string("; not here: ") + no_report))
+    ->type_name("FILE");
   app.add_flag("--quiet", command_line.is_quiet, "print errors only");
 }
 
 void add_collection_options(CLI::App& app, Command_line& command_line)
 {
-  app.add_option("--output-folder", command_line.output_folder,
-                 "write for each mesh its segments and a record in JSON here, under the mesh's name;\n"
-                 "what is there already and was made with the same options is not made again")
-      ->type_name("FOLDER");
-  app.add_option("--format", command_line.formats, "of the segments in --output-folder; may be repeated; default: seg")
-      ->allow_extra_args(false)
-      ->type_name("EXTENSION");
+  app
+    .add_option("--output-folder", command_line.output_folder,
+                "write for each mesh its segments and a record in JSON here, under the mesh's name;\n"
+                "what is there already and was made with the same options is not made again")
+    ->type_name("FOLDER");
+  app
+    .add_option("--format", command_line.formats,
+                "of the segments in --output-folder; may be repeated; default: seg")
+    ->allow_extra_args(false)
+    ->type_name("EXTENSION");
   app.add_option("--jobs", command_line.jobs, "so many meshes at once, with --output-folder")
-      ->check(counts("number of jobs"))
-      ->type_name("N")
-      ->capture_default_str();
-  app.add_flag("--again", command_line.is_everything_done_again, "make again what is there in --output-folder");
+    ->check(counts("number of jobs"))
+    ->type_name("N")
+    ->capture_default_str();
+  app.add_flag("--again", command_line.is_everything_done_again,
+               "make again what is there in --output-folder");
 }
 
 } // namespace
@@ -201,21 +205,25 @@ void add_collection_options(CLI::App& app, Command_line& command_line)
 void add_options(CLI::App& app, Command_line& command_line)
 {
   app.set_version_flag("--version", std::string("segment_by_protrusions ") + PROTRUSION_SEGMENTATION_VERSION);
-  app.add_option("input", command_line.inputs,
-                 "mesh: " + known_formats() + ", each also compressed by gzip (.gz); - is the standard input;\n"
-                 "with --output-folder any number of meshes and of folders")
-      ->required()
-      ->type_name("INPUT...");
+  app
+    .add_option("input", command_line.inputs,
+                "mesh: " + known_formats() +
+                  ", each also compressed by gzip (.gz); - is the standard input;\n"
+                  "with --output-folder any number of meshes and of folders")
+    ->required()
+    ->type_name("INPUT...");
   add_segmentation_options(app, command_line.options);
   add_output_options(app, command_line);
   add_collection_options(app, command_line);
-  app.callback([&]() {
-    check(app, command_line);
-    if (command_line.options.distance.empty() && command_line.options.method == "paper")
-      command_line.options.distance = "geodesic";
-    if (command_line.formats.empty())
-      command_line.formats = {"seg"};
-  });
+  app.callback(
+    [&]()
+    {
+      check(app, command_line);
+      if (command_line.options.distance.empty() && command_line.options.method == "paper")
+        command_line.options.distance = "geodesic";
+      if (command_line.formats.empty())
+        command_line.formats = {"seg"};
+    });
 }
 
 } // namespace tool

@@ -43,7 +43,8 @@ public:
     if (read(in))
       return;
     in.clear();
-    const std::size_t end = static_cast<std::size_t>((std::max)(std::streamoff(in.tellg()), std::streamoff(1)));
+    const std::size_t end = static_cast<std::size_t>(
+      (std::max)(std::streamoff(in.tellg()), std::streamoff(1)));
     const std::size_t begin = end < 2 ? 0 : m_text.rfind('\n', end - 2) + 1; // of the line that it ends
     const std::size_t line = std::count(m_text.begin(), m_text.begin() + std::ptrdiff_t(begin), '\n');
     if (line >= m_numbers.size())

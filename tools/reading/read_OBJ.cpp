@@ -40,7 +40,8 @@ private:
   static bool is_a_name(std::string_view line)
   {
     const std::string_view keyword = take_word(line);
-    return keyword.front() == '#' || keyword == "o" || keyword == "g" || keyword == "mtllib" || keyword == "usemtl";
+    return keyword.front() == '#' || keyword == "o" || keyword == "g" || keyword == "mtllib" ||
+           keyword == "usemtl";
   }
 
   // A line that ends with a backslash goes on in the next one.
@@ -94,7 +95,8 @@ private:
       throw Format_error(line, quote(corner) + " is no corner of a face");
     if (*index == 0 || -std::ptrdiff_t(*index) > std::ptrdiff_t(m_vertices))
       throw Format_error(line, missing_vertex(*index));
-    const std::size_t result = static_cast<std::size_t>(*index > 0 ? *index : std::ptrdiff_t(m_vertices) + *index + 1);
+    const std::size_t result = static_cast<std::size_t>(*index > 0 ? *index
+                                                                   : std::ptrdiff_t(m_vertices) + *index + 1);
     if (result > m_largest_index)
     {
       m_largest_index = result;
@@ -121,8 +123,8 @@ private:
 Polygon_soup read_OBJ(const std::string& bytes)
 {
   Polygon_soup soup;
-  OBJ_normalizer(bytes).text().read_by(
-      [&](std::istream& in) { return CGAL::IO::read_OBJ(in, soup.points, soup.polygons); });
+  OBJ_normalizer(bytes).text().read_by([&](std::istream& in)
+                                       { return CGAL::IO::read_OBJ(in, soup.points, soup.polygons); });
   return soup;
 }
 

@@ -58,7 +58,9 @@ class OFF_normalizer
 {
 public:
   OFF_normalizer(Lines& lines, const Keyword& keyword, std::string_view rest_of_first_line)
-    : m_lines(lines), m_words(without_comment(rest_of_first_line)), m_keyword(keyword)
+    : m_lines(lines),
+      m_words(without_comment(rest_of_first_line)),
+      m_keyword(keyword)
   {
     read_counts();
     m_is_by_lines = has_a_line_for_each();
@@ -113,7 +115,8 @@ private:
     std::size_t count = 0;
     while (!next_line(ahead).empty())
       ++count;
-    return count >= m_vertices + m_faces || m_keyword.has_colors || m_keyword.has_normals || m_keyword.has_textures;
+    return count >= m_vertices + m_faces || m_keyword.has_colors || m_keyword.has_normals ||
+           m_keyword.has_textures;
   }
 
   void add_vertex(std::size_t vertex)
@@ -141,7 +144,8 @@ private:
         throw Format_error(m_lines.line_number(), quote(corner) + " is no corner of a face");
       if (*index < 0 || *index >= std::ptrdiff_t(m_vertices))
         throw Format_error(m_lines.line_number(), "a face names vertex " + std::to_string(*index) + " of " +
-                                                      std::to_string(m_vertices) + ", which are counted from 0");
+                                                    std::to_string(m_vertices) +
+                                                    ", which are counted from 0");
       m_text << " " << std::size_t(*index);
     }
     m_text.end_line(m_lines.line_number());
@@ -162,7 +166,8 @@ private:
       move_on_to_words();
     const std::string_view word = take_word(m_words);
     if (word.empty() && m_is_by_lines)
-      throw Format_error(m_lines.line_number(), std::string(what) + " " + std::to_string(index) + " is incomplete");
+      throw Format_error(m_lines.line_number(),
+                         std::string(what) + " " + std::to_string(index) + " is incomplete");
     if (word.empty())
       end_too_early(what, index);
     return word;
@@ -218,7 +223,9 @@ Polygon_soup read_OFF(const std::string& bytes)
     return read_binary_OFF(lines.rest(), keyword.has_normals, keyword.has_colors);
 
   Polygon_soup soup;
-  OFF_normalizer(lines, keyword, line).text().read_by(
+  OFF_normalizer(lines, keyword, line)
+    .text()
+    .read_by(
       [&](std::istream& in)
       { return CGAL::IO::read_OFF(in, soup.points, soup.polygons, CGAL::parameters::verbose(false)); });
   return soup;

@@ -10,14 +10,13 @@
 
 #include "reading/Format_error.h"
 #include "reading/Lines.h"
+#include "reading/PLY_header.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <map>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,126 +26,21 @@ namespace tool
 namespace
 {
 
-enum class Encoding { text, smallest_byte_first, largest_byte_first };
-
-struct Type
-{
-  char kind; // i: signed integer, u: unsigned integer, f: floating-point number
-  std::size_t size; // in bytes; 0 if there is no such type
-};
-
-Type type_of_name(std::string_view name)
-{
-  static const std::map<std::string_view, Type> types = {
-      {"char", {'i', 1}}, {"int8", {'i', 1}}, {"uchar", {'u', 1}}, {"uint8", {'u', 1}},
-      {"short", {'i', 2}}, {"int16", {'i', 2}}, {"ushort", {'u', 2}}, {"uint16", {'u', 2}},
-      {"int", {'i', 4}}, {"int32", {'i', 4}}, {"uint", {'u', 4}}, {"uint32", {'u', 4}},
-      {"float", {'f', 4}}, {"float32", {'f', 4}}, {"double", {'f', 8}}, {"float64", {'f', 8}}};
-  const auto found = types.find(name);
-  return found == types.end() ? Type{'u', 0} : found->second;
-}
-
-struct Property
-{
-  std::string name;
-  Type type;
-  std::optional<Type> count_type; // of a list
-};
-
-struct Element
-{
-  std::string name;
-  std::size_t count;
-  std::vector<Property> properties;
-};
-
-struct Header
-{
-  Encoding encoding = Encoding::text;
-  std::vector<Element> elements;
-
-  // Reads all lines up to "end_header".
-  explicit Header(Lines& lines)
-  {
-    if (!lines.next() || trim(lines.line()) != "ply")
-      throw Format_error(lines.line_number(), "does not begin with 'ply'");
-    bool has_format = false;
-    while (lines.next())
-    {
-      std::string_view words = lines.line();
-      const std::string_view keyword = take_word(words);
-      if (keyword == "end_header" && has_format)
-        return;
-      if (keyword == "format")
-        has_format = read_format(words);
-      const bool is_good = keyword == "element"    ? add_element(words, lines.rest().size())
-                           : keyword == "property" ? add_property(words)
-                                                   : is_known(keyword);
-      if (!is_good)
-        throw Format_error(lines.line_number(), "cannot make sense of " + quote(lines.line()));
-    }
-    throw Format_error("has no complete header");
-  }
-
-private:
-  static bool is_known(std::string_view keyword)
-  {
-    return keyword == "format" || keyword == "comment" || keyword == "obj_info" || keyword.empty();
-  }
-
-  bool read_format(std::string_view words)
-  {
-    const std::string_view name = take_word(words);
-    encoding = name == "binary_little_endian" ? Encoding::smallest_byte_first
-               : name == "binary_big_endian"  ? Encoding::largest_byte_first
-                                              : Encoding::text;
-    if (encoding == Encoding::text && name != "ascii")
-      throw Format_error("is in the unknown encoding " + quote(name));
-    return true;
-  }
-
-  bool add_element(std::string_view words, std::size_t bytes_left)
-  {
-    const std::string_view name = take_word(words);
-    const auto count = number<std::size_t>(take_word(words));
-    if (!count)
-      return false;
-    if (*count > bytes_left)
-      throw Format_error("announces more of the element " + quote(name) + " than it can hold");
-    elements.push_back({std::string(name), *count, {}});
-    return true;
-  }
-
-  bool add_property(std::string_view words)
-  {
-    std::string_view type = take_word(words);
-    std::optional<Type> count_type;
-    if (type == "list")
-    {
-      count_type = type_of_name(take_word(words));
-      type = take_word(words);
-    }
-    const Property property = {std::string(take_word(words)), type_of_name(type), count_type};
-    const bool is_good = !elements.empty() && property.type.size > 0 && !property.name.empty() &&
-                         (!count_type || count_type->size > 0);
-    if (is_good)
-      elements.back().properties.push_back(property);
-    return is_good;
-  }
-};
+using namespace PLY;
 
 // The numbers behind the header, one after the other.
 class Numbers
 {
 public:
   Numbers(const std::string& bytes, std::size_t begin, std::size_t line, Encoding encoding)
-    : m_bytes(bytes), m_position(begin), m_begin(begin), m_line(line), m_encoding(encoding)
-  { }
+    : m_bytes(bytes),
+      m_position(begin),
+      m_begin(begin),
+      m_line(line),
+      m_encoding(encoding)
+  {}
 
-  double take(const Type& type)
-  {
-    return m_encoding == Encoding::text ? take_word() : take_binary(type);
-  }
+  double take(const Type& type) { return m_encoding == Encoding::text ? take_word() : take_binary(type); }
 
   // A number of values in a list. Each takes a byte at least.
   std::size_t take_count(const Type& type)
@@ -235,7 +129,8 @@ public:
     for (const Element& element : m_header.elements)
       read(element, numbers);
     if (m_soup.polygons.empty())
-      throw Format_error(has("range_grid") ? "is a range grid, the depths that a scanner saw, without faces" : "has no faces");
+      throw Format_error(has("range_grid") ? "is a range grid, the depths that a scanner saw, without faces"
+                                           : "has no faces");
   }
 
   const Polygon_soup& soup() const { return m_soup; }
@@ -266,14 +161,16 @@ private:
   static void check_coordinates(const Element& vertex)
   {
     for (const std::string coordinate : {"x", "y", "z"})
-      if (std::none_of(vertex.properties.begin(), vertex.properties.end(), [&](const Property& property)
+      if (std::none_of(vertex.properties.begin(), vertex.properties.end(),
+                       [&](const Property& property)
                        { return property.name == coordinate && !property.count_type; }))
         throw Format_error("its vertices have no property " + coordinate);
   }
 
   void read(const Element& element, const Property& property, Numbers& numbers, std::array<double, 3>& point)
   {
-    const bool is_coordinate = property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+    const bool is_coordinate = property.name.size() == 1 && property.name[0] >= 'x' &&
+                               property.name[0] <= 'z';
     const bool is_corners = property.name == "vertex_indices" || property.name == "vertex_index";
     if (!property.count_type)
     {
@@ -327,6 +224,9 @@ private:
 
 } // namespace
 
-Polygon_soup read_PLY(const std::string& bytes) { return PLY_reader(bytes).soup(); }
+Polygon_soup read_PLY(const std::string& bytes)
+{
+  return PLY_reader(bytes).soup();
+}
 
 } // namespace tool

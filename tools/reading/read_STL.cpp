@@ -50,7 +50,8 @@ bool begins_with_solid(const std::string& bytes)
 void check_coordinates(const std::string& bytes, std::size_t facet)
 {
   std::array<float, 9> coordinates;
-  std::memcpy(coordinates.data(), bytes.data() + facets_begin + facet * facet_size + normal_size, sizeof(coordinates));
+  std::memcpy(coordinates.data(), bytes.data() + facets_begin + facet * facet_size + normal_size,
+              sizeof(coordinates));
   for (const float coordinate : coordinates)
     if (!std::isfinite(coordinate)) // no order of points has a place for it
       throw Format_error("facet " + std::to_string(facet) + " has no finite coordinates");
@@ -88,7 +89,8 @@ public:
     {
       m_line = lines.line_number();
       std::string line(lines.line());
-      std::transform(line.begin(), line.end(), line.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+      std::transform(line.begin(), line.end(), line.begin(),
+                     [](unsigned char c) { return char(std::tolower(c)); });
       add_words(line);
     }
     if (m_is_in_facet)
@@ -183,8 +185,8 @@ Polygon_soup read_STL(const std::string& bytes)
   if (is_binary_STL(bytes) || !begins_with_solid(bytes))
     return read_binary(bytes);
   Polygon_soup soup;
-  STL_normalizer(bytes).text().read_by(
-      [&](std::istream& in) { return CGAL::IO::read_STL(in, soup.points, soup.polygons); });
+  STL_normalizer(bytes).text().read_by([&](std::istream& in)
+                                       { return CGAL::IO::read_STL(in, soup.points, soup.polygons); });
   return soup;
 }
 

@@ -88,7 +88,7 @@ private:
     }
     const std::size_t colors = m_layout.has_face_colors ? take() : 0;
     m_is_good = m_is_good && colors <= 4;
-    for (std::size_t i = 0; i < colors; ++i)
+    for (std::size_t i = 0; i < colors && m_is_good; ++i)
       take();
     return face;
   }

@@ -21,7 +21,7 @@ namespace tool
 namespace
 {
 
-constexpr const char* gzip_magic = "\x1f\x8b"; // RFC 1952, section 2.3.1
+constexpr const char* gzip_magic = "\x1f\x8b";          // RFC 1952, section 2.3.1
 constexpr const char* byte_order_mark = "\xef\xbb\xbf"; // of UTF-8
 
 std::string read_all(const std::string& file_name)
@@ -34,8 +34,8 @@ std::string read_all(const std::string& file_name)
   errno = 0;
   std::ifstream in(file_name, std::ios::binary);
   if (!in)
-    throw Error(file_name, "cannot be opened" +
-                               (errno != 0 ? ": " + std::generic_category().message(errno) : ""));
+    throw Error(file_name,
+                "cannot be opened" + (errno != 0 ? ": " + std::generic_category().message(errno) : ""));
   std::string bytes(std::istreambuf_iterator<char>(in), {});
   if (in.bad())
     throw Error(file_name, "cannot be read");

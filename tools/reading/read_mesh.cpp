@@ -23,6 +23,9 @@ Input_mesh read_input_mesh(const std::string& file_name)
   }
 }
 
-Mesh read_mesh(const std::string& file_name) { return read_input_mesh(file_name).mesh; }
+Mesh read_mesh(const std::string& file_name)
+{
+  return read_input_mesh(file_name).mesh;
+}
 
 } // namespace tool

@@ -19,7 +19,8 @@ Segment_ids read_segmentation(const std::string& file_name, Input_mesh& input)
   for (std::size_t i = 0; i < input.label_giver.size(); ++i)
     faces_of_file.add_face(v, faces_of_file.add_vertex(), faces_of_file.add_vertex());
   const Segment_ids ids = faces_of_file.add_property_map<Face, std::size_t>().first;
-  const std::string problem = CGAL::Protrusion_segmentation::internal::read_segments(file_name, faces_of_file, ids);
+  const std::string problem = CGAL::Protrusion_segmentation::internal::read_segments(file_name, faces_of_file,
+                                                                                     ids);
   if (!problem.empty())
     throw Error(file_name, problem);
   const Segment_ids result = input.mesh.add_property_map<Face, std::size_t>().first;

@@ -17,6 +17,7 @@
 #include <exception>
 #include <new>
 #include <string_view>
+#include <vector>
 
 namespace tool
 {
@@ -31,13 +32,13 @@ struct Format
 
 const std::vector<Format>& formats()
 {
-  static const std::vector<Format> table = {{".off", read_OFF}, {".obj", read_OBJ}, {".ply", read_PLY},
-                                            {".stl", read_STL}, {".ts", read_TS},
+  static const std::vector<Format> table = {
+    {".off", read_OFF}, {".obj", read_OBJ}, {".ply", read_PLY}, {".stl", read_STL}, {".ts", read_TS},
 #ifdef PROTRUSION_SEGMENTATION_HAS_VTK
-                                            {".vtp", read_VTP},
+    {".vtp", read_VTP},
 #endif
 #ifdef PROTRUSION_SEGMENTATION_HAS_3MF
-                                            {".3mf", read_3MF},
+    {".3mf", read_3MF},
 #endif
   };
   return table;
@@ -46,7 +47,8 @@ const std::vector<Format>& formats()
 std::string extension_of(const std::string& file_name)
 {
   const std::string extension = lower_case_extension(file_name);
-  return extension == ".gz" ? lower_case_extension(file_name.substr(0, file_name.size() - extension.size())) : extension;
+  return extension == ".gz" ? lower_case_extension(file_name.substr(0, file_name.size() - extension.size()))
+                            : extension;
 }
 
 const Format* find_format(const std::string& extension)
@@ -104,21 +106,14 @@ Polygon_soup read_checked(const std::string& file_name)
     extension = extension_of_content(bytes);
   const Format* format = find_format(extension);
   if (format == nullptr)
-    throw Format_error("is in the format " + extension.substr(1) + ", which was not built in (known are " + known_formats() + ")");
+    throw Format_error("is in the format " + extension.substr(1) + ", which was not built in (known are " +
+                       known_formats() + ")");
   const Polygon_soup soup = format->read(bytes);
   check(soup);
   return soup;
 }
 
 } // namespace
-
-std::vector<std::string> mesh_extensions()
-{
-  std::vector<std::string> extensions;
-  for (const Format& format : formats())
-    extensions.push_back(format.extension);
-  return extensions;
-}
 
 std::string known_formats()
 {
@@ -140,9 +135,11 @@ void check_mesh_name(const std::string& file_name)
     return;
   const std::string known = " (known are " + known_formats() + ")";
   if (extension == ".3mf")
-    throw Error(file_name, "is 3MF, which is read only where lib3mf was found when this program was built" + known);
+    throw Error(file_name,
+                "is 3MF, which is read only where lib3mf was found when this program was built" + known);
   if (extension == ".vtp")
-    throw Error(file_name, "is VTP, which is read only where VTK was found when this program was built" + known);
+    throw Error(file_name,
+                "is VTP, which is read only where VTK was found when this program was built" + known);
   throw Error(file_name, "is in no known format" + known);
 }
 

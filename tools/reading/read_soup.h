@@ -8,16 +8,12 @@
 #include "reading/Polygon_soup.h"
 
 #include <string>
-#include <vector>
 
 namespace tool
 {
 
-// The extensions of the formats that can be read here; VTP and 3MF are among them only if VTK and lib3mf were there at
-// compile time.
-std::vector<std::string> mesh_extensions();
-
-// Their names in one line.
+// The names of the formats that can be read here, in one line; VTP and 3MF are among them only if VTK and lib3mf were
+// there at compile time.
 std::string known_formats();
 
 // Is the extension one of these, before a ".gz" or not?

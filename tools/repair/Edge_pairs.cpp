@@ -19,14 +19,20 @@ namespace
 // Where very many sides lie on each other, each is compared with that many of those behind it.
 constexpr std::size_t enough_candidates = 16;
 
-std::array<std::size_t, 2> ascending(std::size_t a, std::size_t b) { return {(std::min)(a, b), (std::max)(a, b)}; }
+std::array<std::size_t, 2> ascending(std::size_t a, std::size_t b)
+{
+  return {(std::min)(a, b), (std::max)(a, b)};
+}
 
 } // namespace
 
 Edge_pairs::Edge_pairs(const std::vector<Point>& points,
                        const Face_choice& faces,
                        const std::vector<std::size_t>& places)
-  : m_points(points), m_faces(faces), m_places(places), m_orientations(faces.polygons.size())
+  : m_points(points),
+    m_faces(faces),
+    m_places(places),
+    m_orientations(faces.polygons.size())
 {
   const std::vector<Polygon>& polygons = faces.polygons;
   for (std::size_t face = 0; face < polygons.size(); ++face)
@@ -41,8 +47,8 @@ Edge_pairs::Edge_pairs(const std::vector<Point>& points,
 
   std::vector<std::size_t> sides(m_corner.size());
   std::iota(sides.begin(), sides.end(), std::size_t(0));
-  const std::vector<std::size_t> left = join_lonely_pairs(
-    sides, [&](std::size_t side) { return ascending(start(side), end(side)); });
+  const std::vector<std::size_t> left = join_lonely_pairs(sides, [&](std::size_t side)
+                                                          { return ascending(start(side), end(side)); });
   const std::vector<std::size_t> crowded = join_lonely_pairs(
     left, [&](std::size_t side) { return ascending(m_places[start(side)], m_places[end(side)]); });
   join_smoothest(crowded);
@@ -76,7 +82,8 @@ void Edge_pairs::join(std::size_t side, std::size_t other)
 // Joins those of `sides` that share their ends with one other side only. The others are returned, but for those
 // that are alone; those with the same ends stand in a row.
 template <typename EndsOf>
-std::vector<std::size_t> Edge_pairs::join_lonely_pairs(const std::vector<std::size_t>& sides, const EndsOf& ends_of)
+std::vector<std::size_t> Edge_pairs::join_lonely_pairs(const std::vector<std::size_t>& sides,
+                                                       const EndsOf& ends_of)
 {
   std::vector<std::pair<Ends, std::size_t>> sorted;
   for (const std::size_t side : sides)
@@ -119,7 +126,8 @@ void Edge_pairs::join_smoothest(const std::vector<std::size_t>& sides)
     ++m_number_of_non_manifold_edges;
     for (std::size_t i = begin; i < last; ++i)
       m_is_crowded[sides[i]] = true;
-    for (const Ends& pair : by_smoothness({sides.begin() + std::ptrdiff_t(begin), sides.begin() + std::ptrdiff_t(last)}))
+    for (const Ends& pair :
+         by_smoothness({sides.begin() + std::ptrdiff_t(begin), sides.begin() + std::ptrdiff_t(last)}))
       (are_parallel(pair[0], pair[1]) ? parallel : opposite).push_back(pair);
   }
   // A solid is not turned inside out for an edge that it shares with another one, unless nothing else fits.
@@ -136,7 +144,8 @@ std::vector<Edge_pairs::Ends> Edge_pairs::by_smoothness(const std::vector<std::s
   for (std::size_t i = 0; i < sides.size(); ++i)
     for (std::size_t j = i + 1; j < (std::min)(sides.size(), i + 1 + enough_candidates); ++j)
       if (m_face[sides[i]] != m_face[sides[j]])
-        pairs.emplace_back(doubles(sides[i]) + doubles(sides[j]), -smoothness(sides[i], sides[j]), sides[i], sides[j]);
+        pairs.emplace_back(doubles(sides[i]) + doubles(sides[j]), -smoothness(sides[i], sides[j]), sides[i],
+                           sides[j]);
   std::sort(pairs.begin(), pairs.end());
   std::vector<Ends> result;
   for (const auto& [doubled, cost, side, other] : pairs)
@@ -151,7 +160,8 @@ double Edge_pairs::smoothness(std::size_t side, std::size_t other) const
   {
     const auto corner = m_corner.begin();
     const std::size_t f = m_face[s];
-    const Vector n = area_vector(m_points, Polygon(corner + std::ptrdiff_t(m_first[f]), corner + std::ptrdiff_t(m_first[f + 1])));
+    const Vector n = area_vector(
+      m_points, Polygon(corner + std::ptrdiff_t(m_first[f]), corner + std::ptrdiff_t(m_first[f + 1])));
     const double length = std::sqrt(n.squared_length());
     return length > 0 && std::isfinite(length) ? n / length : Vector(0, 0, 0);
   };

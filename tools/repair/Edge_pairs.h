@@ -30,7 +30,9 @@ class Edge_pairs
 public:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  Edge_pairs(const std::vector<Point>& points, const Face_choice& faces, const std::vector<std::size_t>& places);
+  Edge_pairs(const std::vector<Point>& points,
+             const Face_choice& faces,
+             const std::vector<std::size_t>& places);
 
   std::size_t number_of_sides() const { return m_face.size(); }
   std::size_t number_of_non_manifold_edges() const { return m_number_of_non_manifold_edges; }

@@ -41,7 +41,10 @@ Polygon without_repetitions(Polygon polygon)
 }
 
 // A triangle that comes back to a corner has no area; a polygon may have some.
-bool is_degenerate(const Polygon& polygon) { return number_of_different(polygon) < 3; }
+bool is_degenerate(const Polygon& polygon)
+{
+  return number_of_different(polygon) < 3;
+}
 
 // The same for all polygons with the same corners in the same order or the reverse one.
 Polygon canonical(Polygon corners)
@@ -57,9 +60,13 @@ Polygon canonical(Polygon corners)
 class Chooser
 {
 public:
-  Chooser(const Polygon_soup& soup, const std::vector<std::size_t>& places, const std::vector<bool>& is_left_out)
-    : m_soup(soup), m_places(places), m_is_left_out(is_left_out)
-  { }
+  Chooser(const Polygon_soup& soup,
+          const std::vector<std::size_t>& places,
+          const std::vector<bool>& is_left_out)
+    : m_soup(soup),
+      m_places(places),
+      m_is_left_out(is_left_out)
+  {}
 
   Face_choice choose()
   {
@@ -174,7 +181,8 @@ private:
   const std::vector<bool>& m_is_left_out;
   std::vector<std::size_t> m_first_double;
   std::vector<bool> m_has_double;
-  std::unordered_map<std::size_t, std::vector<std::size_t>> m_faces_at; // the places of faces that want a label
+  std::unordered_map<std::size_t, std::vector<std::size_t>>
+    m_faces_at; // the places of faces that want a label
   Face_choice m_choice;
 };
 
@@ -184,7 +192,8 @@ std::vector<std::size_t> places(const std::vector<Point>& points)
 {
   std::vector<std::size_t> order(points.size()), result(points.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j)
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t i, std::size_t j)
             { return points[i] < points[j] || (points[i] == points[j] && i < j); });
   for (std::size_t i = 0; i < order.size(); ++i)
   {

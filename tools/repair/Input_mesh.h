@@ -33,8 +33,8 @@ struct Input_mesh
 {
   Polygon_soup soup;
   Mesh mesh;
-  std::vector<std::size_t> label_giver;     // of each face of the file: the face of the mesh that has its label
-  std::vector<std::size_t> face_in_file;    // of each face of the mesh
+  std::vector<std::size_t> label_giver;  // of each face of the file: the face of the mesh that has its label
+  std::vector<std::size_t> face_in_file; // of each face of the mesh
   std::vector<std::size_t> point_of_vertex; // of each vertex of the mesh: its point in the soup
   Repairs repairs;
 };

@@ -22,7 +22,8 @@ inline Vector area_vector(const std::vector<Point>& points, const Polygon& polyg
 {
   Vector sum(0, 0, 0);
   for (std::size_t i = 2; i < polygon.size(); ++i)
-    sum = sum + CGAL::cross_product(points[polygon[i - 1]] - points[polygon[0]], points[polygon[i]] - points[polygon[0]]);
+    sum = sum + CGAL::cross_product(points[polygon[i - 1]] - points[polygon[0]],
+                                    points[polygon[i]] - points[polygon[0]]);
   return sum / 2;
 }
 

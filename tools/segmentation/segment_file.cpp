@@ -36,11 +36,10 @@ std::string note_on_number(const Segmentation_options& options, const Segmentati
   const std::size_t wanted = options.number_of_segments.value_or(found);
   std::ostringstream note;
   if (found < wanted)
-    note << "found " << found << " of " << wanted
-         << " segments: no further protrusion has a border";
+    note << "found " << found << " of " << wanted << " segments: no further protrusion has a border";
   else if (found > wanted)
-    note << "found " << found << " segments instead of " << wanted << ": each of the mesh's "
-         << found << " connected components is at least one";
+    note << "found " << found << " segments instead of " << wanted << ": each of the mesh's " << found
+         << " connected components is at least one";
   else if (!options.number_of_segments && segmentation.record.protrusions().empty())
     note << "found no evident protrusion; -k N asks for a number of segments";
   return note.str();
@@ -51,7 +50,8 @@ void warn_of_time(const Findings& findings, const Warn& warn)
   const std::size_t faces = findings.mesh.mesh.number_of_faces();
   const Segmentation_options& options = findings.options;
   if (options.distance == "exact" && faces > many_faces_for_exact_distances)
-    warn("exact distances on " + std::to_string(faces) + " faces may take very long; --distance heat is fast");
+    warn("exact distances on " + std::to_string(faces) +
+         " faces may take very long; --distance heat is fast");
   if (options.distance == "diffusion" && options.eigenpairs > many_eigenpairs && faces > options.eigenpairs)
     warn(std::to_string(options.eigenpairs) + " eigenpairs on " + std::to_string(faces) +
          " faces may take very long; " + std::to_string(default_number_of_eigenpairs()) + " are the default");
@@ -64,8 +64,10 @@ std::string join_notes(const std::string& first, const std::string& second)
 
 } // namespace
 
-Findings segment_file(const std::string& input, const Segmentation_options& options,
-                      const Recorder::Progress& progress, const Warn& warn)
+Findings segment_file(const std::string& input,
+                      const Segmentation_options& options,
+                      const Recorder::Progress& progress,
+                      const Warn& warn)
 {
   const auto start = std::chrono::steady_clock::now();
   Findings findings;
@@ -76,7 +78,8 @@ Findings segment_file(const std::string& input, const Segmentation_options& opti
   const std::size_t faces = findings.mesh.mesh.number_of_faces();
   const std::size_t wanted = options.number_of_segments.value_or(0);
   if (wanted > faces)
-    throw Error(input, "has " + std::to_string(faces) + " faces, too few for " + std::to_string(wanted) + " segments");
+    throw Error(input, "has " + std::to_string(faces) + " faces, too few for " + std::to_string(wanted) +
+                         " segments");
   warn_of_time(findings, warn);
   findings.segmentation = segment(findings.mesh.mesh, options, progress);
   findings.note = join_notes(describe(findings.mesh.repairs), note_on_number(options, findings.segmentation));
@@ -95,7 +98,8 @@ void check_can_be_written(const Output_names& names)
 
 void write_findings(const Findings& findings, const Output_names& names)
 {
-  const Segmented_soup segmented = {findings.mesh.soup, spread(findings.segmentation.segment_ids, findings.mesh)};
+  const Segmented_soup segmented = {findings.mesh.soup,
+                                    spread(findings.segmentation.segment_ids, findings.mesh)};
   Output_files files;
   for (const std::string& name : names.segments)
     add_output(name, segmented, findings.segmentation.number_of_segments, files);
@@ -109,8 +113,8 @@ void write_findings(const Findings& findings, const Output_names& names)
 std::string summary(const Findings& findings)
 {
   std::ostringstream line;
-  line << findings.mesh.label_giver.size() << " faces, " << findings.segmentation.number_of_segments << " segments, "
-       << std::fixed << std::setprecision(3) << findings.seconds() << " s";
+  line << findings.mesh.label_giver.size() << " faces, " << findings.segmentation.number_of_segments
+       << " segments, " << std::fixed << std::setprecision(3) << findings.seconds() << " s";
   return line.str();
 }
 

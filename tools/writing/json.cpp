@@ -53,17 +53,24 @@ private:
   Json m_json = Json::object();
 };
 
-void Object::add_json(const char* key, Json value) { m_json.emplace(key, std::move(value)); }
+void Object::add_json(const char* key, Json value)
+{
+  m_json.emplace(key, std::move(value));
+}
 
 // As in the file that was read.
-std::size_t number_of_face(const Input_mesh& mesh, Face face) { return mesh.face_in_file[face]; }
+std::size_t number_of_face(const Input_mesh& mesh, Face face)
+{
+  return mesh.face_in_file[face];
+}
 
 std::vector<double> mean_of_corners(const Mesh& mesh, Face face)
 {
   std::vector<double> sum = {0, 0, 0};
   for (const auto v : vertices_around_face(mesh.halfedge(face), mesh))
     for (int c = 0; c < 3; ++c)
-      sum[std::size_t(c)] += mesh.point(v)[c] / mesh.degree(face); // divided first: large coordinates may not overflow
+      sum[std::size_t(c)] += mesh.point(v)[c] /
+                             mesh.degree(face); // divided first: large coordinates may not overflow
   return sum;
 }
 
@@ -73,16 +80,16 @@ Json describe(const Protrusion& protrusion, const Input_mesh& mesh)
   const auto& diameters = protrusion.sectional_diameter_histogram;
   Object object;
   object.add("segment", protrusion.segment)
-      .add("parent", protrusion.parent)
-      .add("tip", number_of_face(mesh, protrusion.tip))
-      .add("tip_point", mean_of_corners(mesh.mesh, protrusion.tip))
-      .add_if(protrusion.border_slot != Protrusion::no_slot(), "border_slot", protrusion.border_slot)
-      .add("border_distance", protrusion.border_distance)
-      .add("value", protrusion.value)
-      .add("area", protrusion.area)
-      .add("border_length", protrusion.border_length)
-      .add_if(!distances.empty(), "distance_histogram", distances)
-      .add_if(!diameters.empty(), "sectional_diameter_histogram", diameters);
+    .add("parent", protrusion.parent)
+    .add("tip", number_of_face(mesh, protrusion.tip))
+    .add("tip_point", mean_of_corners(mesh.mesh, protrusion.tip))
+    .add_if(protrusion.border_slot != Protrusion::no_slot(), "border_slot", protrusion.border_slot)
+    .add("border_distance", protrusion.border_distance)
+    .add("value", protrusion.value)
+    .add("area", protrusion.area)
+    .add("border_length", protrusion.border_length)
+    .add_if(!distances.empty(), "distance_histogram", distances)
+    .add_if(!diameters.empty(), "sectional_diameter_histogram", diameters);
   return object.take();
 }
 
@@ -123,7 +130,8 @@ Json describe_measures(const Findings& findings)
   for (const std::size_t segment : spread(ids, input))
     ++faces[segment];
   for (std::size_t i = 0; i < ids.size(); ++i)
-    areas[ids[i]] += std::sqrt(area_vector(input.soup.points, input.soup.polygons[input.face_in_file[i]]).squared_length());
+    areas[ids[i]] += std::sqrt(
+      area_vector(input.soup.points, input.soup.polygons[input.face_in_file[i]]).squared_length());
   Json array = Json::array();
   for (std::size_t s = 0; s < faces.size(); ++s)
     array.push_back(Object().add("segment", s).add("faces", faces[s]).add("area", areas[s]).take());
@@ -135,12 +143,12 @@ Json describe_surface(const Input_mesh& mesh)
   const Repairs& repairs = mesh.repairs;
   Object object;
   object.add("faces", mesh.face_in_file.size())
-      .add("components", repairs.components)
-      .add("specks", repairs.specks)
-      .add("degenerate_faces", repairs.degenerate_faces)
-      .add("duplicate_faces", repairs.duplicate_faces)
-      .add("non_manifold_edges", repairs.non_manifold_edges)
-      .add("reversed_faces", repairs.reversed_faces);
+    .add("components", repairs.components)
+    .add("specks", repairs.specks)
+    .add("degenerate_faces", repairs.degenerate_faces)
+    .add("duplicate_faces", repairs.duplicate_faces)
+    .add("non_manifold_edges", repairs.non_manifold_edges)
+    .add("reversed_faces", repairs.reversed_faces);
   return object.take();
 }
 
@@ -171,13 +179,15 @@ Json describe_hierarchy(const Segmentation& segmentation)
 Json describe(const Segmentation_options& options)
 {
   Object object;
-  object.add_if(options.number_of_segments.has_value(), "segments_requested", options.number_of_segments.value_or(0))
-      .add("method", options.method)
-      .add_if(!options.distance.empty(), "distance", options.distance) // none: the method's own
-      .add_if(options.distance == "landmark", "landmarks", options.landmarks)
-      .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
-      .add_if(options.distance == "diffusion", "diffusion_time", options.time)
-      .add("seed", options.seed);
+  object
+    .add_if(options.number_of_segments.has_value(), "segments_requested",
+            options.number_of_segments.value_or(0))
+    .add("method", options.method)
+    .add_if(!options.distance.empty(), "distance", options.distance) // none: the method's own
+    .add_if(options.distance == "landmark", "landmarks", options.landmarks)
+    .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
+    .add_if(options.distance == "diffusion", "diffusion_time", options.time)
+    .add("seed", options.seed);
   return object.take();
 }
 
@@ -186,19 +196,19 @@ Json describe(const Findings& findings)
   const Recorder& record = findings.segmentation.record;
   Object object;
   object.add("format_version", json_format_version)
-      .add("input", findings.input)
-      .add("faces", findings.mesh.label_giver.size())
-      .add("surface", describe_surface(findings.mesh))
-      .add_all(describe(findings.options))
-      .add("segments", findings.segmentation.number_of_segments)
-      .add_if(!findings.note.empty(), "note", findings.note)
-      .add("seconds", findings.seconds())
-      .add("stages", describe_stages(findings))
-      .add("dijkstra_runs", record.number_of_runs())
-      .add("tips_eliminated", record.number_of_eliminated_tips())
-      .add("measures", describe_measures(findings))
-      .add("protrusions", describe_protrusions(findings))
-      .add("hierarchy", describe_hierarchy(findings.segmentation));
+    .add("input", findings.input)
+    .add("faces", findings.mesh.label_giver.size())
+    .add("surface", describe_surface(findings.mesh))
+    .add_all(describe(findings.options))
+    .add("segments", findings.segmentation.number_of_segments)
+    .add_if(!findings.note.empty(), "note", findings.note)
+    .add("seconds", findings.seconds())
+    .add("stages", describe_stages(findings))
+    .add("dijkstra_runs", record.number_of_runs())
+    .add("tips_eliminated", record.number_of_eliminated_tips())
+    .add("measures", describe_measures(findings))
+    .add("protrusions", describe_protrusions(findings))
+    .add("hierarchy", describe_hierarchy(findings.segmentation));
   return object.take();
 }
 

@@ -53,13 +53,12 @@ struct Format
 const std::vector<Format>& formats()
 {
   static const std::vector<Format> table = {
-      {".seg", "one segment id a line, as in the Princeton Segmentation Benchmark", write_seg,
-       false},
-      {".ply", "mesh with colours of faces and vertices and a face property 'segment', binary", write_PLY,
-       true},
-      {".off", "mesh with face colours", write_off, true},
-      {".glb", "glTF 2.0, binary: a coloured mesh of its own for each segment", write_GLB, true},
-      {".vtp", "VTK polygonal data, text, with cell data 'segment' and 'color'", write_VTP, true}};
+    {".seg", "one segment id a line, as in the Princeton Segmentation Benchmark", write_seg, false},
+    {".ply", "mesh with colours of faces and vertices and a face property 'segment', binary", write_PLY,
+     true},
+    {".off", "mesh with face colours", write_off, true},
+    {".glb", "glTF 2.0, binary: a coloured mesh of its own for each segment", write_GLB, true},
+    {".vtp", "VTK polygonal data, text, with cell data 'segment' and 'color'", write_VTP, true}};
   return table;
 }
 
@@ -84,12 +83,14 @@ struct Placeholder
 
 Placeholder find_placeholder(const std::string& name, std::size_t from = 0)
 {
-  for (std::size_t begin = name.find('%', from); begin != std::string::npos; begin = name.find('%', begin + 1))
+  for (std::size_t begin = name.find('%', from); begin != std::string::npos;
+       begin = name.find('%', begin + 1))
   {
     const std::size_t end = name.find_first_not_of("0123456789", begin + 1);
     const std::string digits = name.substr(begin + 1, end - begin - 1);
     if (end != std::string::npos && name[end] == 'd' && digits.size() <= 2)
-      return {begin, end + 1 - begin, digits.empty() ? 0 : std::stoul(digits), digits.front() == '0' ? '0' : ' '};
+      return {begin, end + 1 - begin, digits.empty() ? 0 : std::stoul(digits),
+              digits.front() == '0' ? '0' : ' '};
   }
   return {};
 }
@@ -98,7 +99,8 @@ std::string name_of_part(std::string pattern, std::size_t segment)
 {
   const Placeholder placeholder = find_placeholder(pattern);
   std::string number = std::to_string(segment);
-  number.insert(0, placeholder.width > number.size() ? placeholder.width - number.size() : 0, placeholder.fill);
+  number.insert(0, placeholder.width > number.size() ? placeholder.width - number.size() : 0,
+                placeholder.fill);
   return pattern.replace(placeholder.begin, placeholder.size, number);
 }
 
@@ -127,7 +129,10 @@ void add_file(const std::string& name, const Segmented_soup& segmented, Output_f
   files.add(name, [&](std::ostream& out) { find_format(name)->write(out, segmented); });
 }
 
-void add_parts(const std::string& pattern, const Segmented_soup& segmented, std::size_t number_of_segments, Output_files& files)
+void add_parts(const std::string& pattern,
+               const Segmented_soup& segmented,
+               std::size_t number_of_segments,
+               Output_files& files)
 {
   files.make_folder_of(pattern);
   std::vector<std::vector<std::size_t>> faces_of(number_of_segments);
@@ -147,7 +152,10 @@ std::vector<std::string> output_formats()
   return result;
 }
 
-bool is_pattern(const std::string& name) { return find_placeholder(name).size > 0; }
+bool is_pattern(const std::string& name)
+{
+  return find_placeholder(name).size > 0;
+}
 
 void check_output_name(const std::string& name)
 {
@@ -166,11 +174,13 @@ void check_output_name(const std::string& name)
                                 " files are of the whole mesh");
   if (find_placeholder(name, find_placeholder(name).begin + 1).size > 0 ||
       is_pattern(std::filesystem::path(name).parent_path().string()))
-    throw std::invalid_argument("-o: '" + name +
-                                "' has a %d elsewhere than once in the file's name");
+    throw std::invalid_argument("-o: '" + name + "' has a %d elsewhere than once in the file's name");
 }
 
-void add_output(const std::string& name, const Segmented_soup& segmented, std::size_t number_of_segments, Output_files& files)
+void add_output(const std::string& name,
+                const Segmented_soup& segmented,
+                std::size_t number_of_segments,
+                Output_files& files)
 {
   if (is_pattern(name))
     add_parts(name, segmented, number_of_segments, files);

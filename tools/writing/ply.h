@@ -56,11 +56,14 @@ inline std::vector<CGAL::IO::Color> colors_of_points(const Segmented_soup& segme
 inline void write_PLY(std::ostream& out, const Segmented_soup& segmented)
 {
   const auto& [points, polygons] = segmented.soup;
-  const bool is_wide = std::any_of(polygons.begin(), polygons.end(), [](const Polygon& polygon) { return polygon.size() > 255; });
-  const std::string color = "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
+  const bool is_wide = std::any_of(polygons.begin(), polygons.end(),
+                                   [](const Polygon& polygon) { return polygon.size() > 255; });
+  const std::string color =
+    "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty uchar alpha\n";
   out << "ply\nformat binary_little_endian 1.0\nelement vertex " << points.size()
-      << "\nproperty double x\nproperty double y\nproperty double z\n" << color << "element face " << polygons.size()
-      << "\nproperty list " << (is_wide ? "uint" : "uchar") << " int vertex_indices\nproperty uint segment\n"
+      << "\nproperty double x\nproperty double y\nproperty double z\n"
+      << color << "element face " << polygons.size() << "\nproperty list " << (is_wide ? "uint" : "uchar")
+      << " int vertex_indices\nproperty uint segment\n"
       << color << "end_header\n";
   const std::vector<CGAL::IO::Color> colors = colors_of_points(segmented);
   for (std::size_t i = 0; i < points.size(); ++i)

@@ -12,7 +12,6 @@
 #include "markdown_tables.h"
 #include "peers.h"
 #include "protrusion_methods.h"
-#include "reading/lower_case_extension.h"
 #include "reading/read_mesh.h"
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -46,11 +45,9 @@ struct Options
 // All files in the folder and the folders in it, in the order of their names.
 std::vector<fs::path> mesh_files(const Options& options)
 {
-  const std::vector<std::string> known = tool::mesh_extensions();
   std::vector<fs::path> all, result;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(options.folder))
-    if (entry.is_regular_file() && std::find(known.begin(), known.end(),
-                                            tool::lower_case_extension(entry.path().string())) != known.end())
+    if (entry.is_regular_file() && tool::has_mesh_extension(entry.path().string()))
       all.push_back(entry.path());
   std::sort(all.begin(), all.end());
   for (std::size_t i = 0; i < all.size(); i += options.every)
