@@ -384,6 +384,8 @@ test_words()
   expect 0 "$segment" "$data/facet_of_two_points.stl" --json -
   expect_text stderr "1 degenerate face has the label of a neighbour"
   expect_text stdout '"degenerate_faces": 1,'
+  expect 0 "$segment" "$data/facet_of_two_points.stl" -k 2 -o outputs/labels.seg
+  expect 0 "$evaluate" "$data/facet_of_two_points.stl" outputs/labels.seg outputs/labels.seg
   expect 0 "$segment" "$data/double_sided.off" --json -
   expect_text stderr "6 duplicate faces have that of the first"
   expect 0 "$segment" "$data/wall_between_solids.off" --json -
@@ -461,6 +463,14 @@ test_collection()
 
   expect 1 "$segment" meshes/a.off meshes/a.off --output-folder twice
   expect_one_line "has the same name as another mesh"
+  # Outputs are no inputs, and take the place of none.
+  expect 1 "$segment" meshes --output-folder meshes --format off
+  expect_one_line "would be a mesh among those to be segmented"
+  for i in 1 2; do
+    expect 0 "$segment" meshes --output-folder meshes/inner/out --format ply
+    expect_text stdout "5 meshes: "
+  done
+  rm -r meshes/inner/out
   mkdir nothing
   expect 1 "$segment" nothing --output-folder twice
   expect_one_line "nothing: has no mesh in it"

@@ -21,15 +21,28 @@ namespace
 
 namespace fs = std::filesystem;
 
-// The name is the path within the folder, with the extension still.
-void add_folder(const std::string& folder, std::vector<Mesh_in_collection>& meshes)
+// Is it the folder or in it?
+bool is_within(const fs::path& path, const fs::path& folder)
 {
+  std::error_code ignored;
+  const fs::path relative = fs::weakly_canonical(path, ignored).lexically_relative(fs::weakly_canonical(folder, ignored));
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+// The name is the path within the folder, with the extension still.
+void add_folder(const std::string& folder,
+                const std::string& output_folder,
+                std::vector<Mesh_in_collection>& meshes)
+{
+  const bool is_output_beside = !is_within(folder, output_folder);
   std::error_code error;
   const fs::recursive_directory_iterator end;
   fs::recursive_directory_iterator entry(folder, error);
   std::vector<fs::path> files;
   for (; !error && entry != end; entry.increment(error))
-    if (entry->is_regular_file() && has_mesh_extension(entry->path().string()))
+    if (is_output_beside && entry->is_directory() && is_within(entry->path(), output_folder))
+      entry.disable_recursion_pending();
+    else if (entry->is_regular_file() && has_mesh_extension(entry->path().string()))
       files.push_back(entry->path());
   if (error)
     throw Error(folder, "cannot be read: " + error.message());
@@ -49,13 +62,14 @@ std::string without_extension(const std::string& name)
 
 } // namespace
 
-std::vector<Mesh_in_collection> list_meshes(const std::vector<std::string>& inputs)
+std::vector<Mesh_in_collection> list_meshes(const std::vector<std::string>& inputs,
+                                            const std::string& output_folder)
 {
   std::vector<Mesh_in_collection> meshes;
   std::error_code ignored;
   for (const std::string& input : inputs)
     if (fs::is_directory(input, ignored))
-      add_folder(input, meshes);
+      add_folder(input, output_folder, meshes);
     else
       meshes.push_back({input, fs::path(input).filename().generic_string()});
 

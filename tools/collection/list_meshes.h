@@ -18,9 +18,11 @@ struct Mesh_in_collection
 };
 
 // All that is named, and of folders all files in them, at any depth, that have the extension of a mesh; in
-// the order of their names. What is in a folder keeps its place there. Meshes whose names differ by their extension keep
-// it. Throws an `Error` if a folder cannot be read, or two meshes have the same name.
-std::vector<Mesh_in_collection> list_meshes(const std::vector<std::string>& inputs);
+// the order of their names. What is in a folder keeps its place there. Meshes whose names differ by their
+// extension keep it. What is in the output folder is no mesh unless it is itself named. Throws an `Error` if a
+// folder cannot be read, or two meshes have the same name.
+std::vector<Mesh_in_collection> list_meshes(const std::vector<std::string>& inputs,
+                                            const std::string& output_folder);
 
 } // namespace tool
 

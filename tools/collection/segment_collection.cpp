@@ -7,6 +7,7 @@
 #include "collection/list_meshes.h"
 #include "command_line/Error.h"
 #include "command_line/Progress_bar.h"
+#include "reading/read_soup.h"
 #include "segmentation/segment_file.h"
 #include "writing/json.h"
 #include "writing/write_output.h"
@@ -21,6 +22,7 @@
 #include <iostream>
 #include <mutex>
 #include <new>
+#include <set>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -55,7 +57,7 @@ public:
       std::cerr << place << line << std::endl;
     else if (!m_is_quiet)
       std::cout << place << line << std::endl;
-    m_bar.show(double(m_number_of_told) / double(m_number_of_meshes), line);
+    m_bar.show(double(m_number_of_told) / double(m_number_of_meshes), place);
   }
 
 private:
@@ -71,9 +73,10 @@ class Collection
 public:
   explicit Collection(const Command_line& command_line)
     : m_command_line(command_line),
-      m_meshes(list_meshes(command_line.inputs)),
+      m_meshes(list_meshes(command_line.inputs, command_line.output_folder)),
       m_teller(m_meshes.size(), command_line.is_quiet)
   {
+    check_outputs();
     for (const Mesh_in_collection& mesh : m_meshes)
       make_folder(path(mesh, "json").parent_path());
   }
@@ -97,6 +100,21 @@ public:
   }
 
 private:
+  // None of them may take the place of a mesh, or be taken for one the next time.
+  void check_outputs() const
+  {
+    std::error_code ignored;
+    std::set<fs::path> folders;
+    for (const Mesh_in_collection& mesh : m_meshes)
+      folders.insert(fs::weakly_canonical(mesh.input, ignored).parent_path());
+    for (const std::string& format : m_command_line.formats)
+      for (const Mesh_in_collection& mesh : m_meshes)
+        if (const fs::path output = path(mesh, format);
+            has_mesh_extension(output.string()) &&
+            folders.count(fs::weakly_canonical(output, ignored).parent_path()) > 0)
+          throw Error(output.string(), "would be a mesh among those to be segmented; another --output-folder is needed");
+  }
+
   static void make_folder(const fs::path& folder)
   {
     std::error_code error;
