@@ -2,10 +2,8 @@
 
 #include "Benchmark_folder.h"
 
-#include "reading/read_mesh.h"
-#include "reading/read_segmentation.h"
-
-#include <CGAL/boost/graph/copy_face_graph.h>
+#include <CGAL/IO/SEG.h>
+#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
 #include <cctype>
@@ -48,13 +46,13 @@ std::set<int> parsed_list(const std::string& list)
   return result;
 }
 
-Labels read_labels(const std::string& file_name, tool::Input_mesh& input)
+Labels read_labels(const std::string& file_name, const Mesh& mesh)
 {
-  tool::Segment_ids ids = tool::read_segmentation(file_name, input);
-  Labels labels;
-  for(const tool::Face f : faces(input.mesh))
-    labels.push_back(ids[f]);
-  input.mesh.remove_property_map(ids);
+  Labels labels(mesh.number_of_faces());
+  const std::string problem = CGAL::Protrusion_segmentation::internal::read_segments(
+    file_name, mesh, CGAL::make_property_map(labels));
+  if(!problem.empty())
+    throw std::runtime_error(file_name + ": " + problem);
   return labels;
 }
 
@@ -119,8 +117,8 @@ Model Benchmark_folder::read_model(int number) const
   model.number_of_segments = m_numbers_of_segments.at(std::size_t(number - 1));
 
   const std::string mesh_file = (fs::path(m_path) / "off" / (name + ".off")).string();
-  tool::Input_mesh input = tool::read_input_mesh(mesh_file);
-  CGAL::copy_face_graph(input.mesh, model.mesh);
+  if(!CGAL::IO::read_polygon_mesh(mesh_file, model.mesh) || model.mesh.is_empty())
+    throw std::runtime_error(mesh_file + ": cannot be read");
 
   std::vector<fs::path> files;
   for(const fs::directory_entry& entry : fs::directory_iterator(fs::path(m_path) / "seg" / name))
@@ -128,7 +126,7 @@ Model Benchmark_folder::read_model(int number) const
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for(const fs::path& file : files)
-    model.humans.push_back(read_labels(file.string(), input));
+    model.humans.push_back(read_labels(file.string(), model.mesh));
   if(model.humans.empty())
     throw std::runtime_error("model " + name + " has no human segmentation");
   return model;
