@@ -400,10 +400,16 @@ test_pipes()
   expect 0 "$segment" outputs/teddy.off -k 4 -o -
   cmp -s stdout outputs/piped.seg || fail "$command: the standard output is not the file"
   for name in tetrahedron.off tetrahedron.obj tetrahedron.ply tetrahedron.stl tetrahedron_binary.stl tetrahedron.ts \
-              smallest_byte_first_binary.off no_keyword.off tetrahedron.off.gz; do
+              smallest_byte_first_binary.off no_keyword.off tetrahedron.off.gz counts_behind_keyword.off; do
     command="$name through a pipe"
     "$segment" - -k 2 -o - <"$data/$name" >stdout 2>stderr || fail "is refused"
     [ "$(wc -l <stdout)" = 4 ] || fail "has not four labels"
+  done
+  for name in teddy.obj teddy.ply teddy.stl; do
+    expect 0 "$make_mesh" teddy outputs/piped_$name --faces 1000
+    command="$name through a pipe"
+    "$segment" - -k 2 -o - <outputs/piped_$name >stdout 2>stderr || fail "is refused"
+    [ "$(wc -l <stdout)" -ge 1000 ] || fail "has not a label for each face"
   done
   mkfifo outputs/pipe.off
   cat "$data/tetrahedron.off" >outputs/pipe.off &

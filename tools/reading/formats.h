@@ -32,6 +32,7 @@ Polygon_soup read_3MF(const std::string& bytes);
 // `rest` is what follows the header line of a binary file, which says what vertices carry.
 Polygon_soup read_binary_OFF(std::string_view rest, bool has_normals, bool has_colors);
 
+// Is the file as long as a binary one with the number of facets that it announces?
 bool is_binary_STL(const std::string& bytes);
 
 } // namespace tool

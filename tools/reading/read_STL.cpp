@@ -174,10 +174,7 @@ private:
 
 bool is_binary_STL(const std::string& bytes)
 {
-  if (bytes.size() < facets_begin)
-    return false;
-  const std::size_t size = facets_begin + announced_facets(bytes) * facet_size;
-  return size == bytes.size() || !begins_with_solid(bytes);
+  return bytes.size() >= facets_begin && facets_begin + announced_facets(bytes) * facet_size == bytes.size();
 }
 
 Polygon_soup read_STL(const std::string& bytes)

@@ -65,7 +65,7 @@ std::string extension_of_content(const std::string& bytes)
   Lines lines(bytes);
   std::string_view first;
   while (first.empty() && lines.next())
-    first = trim(lines.line());
+    first = without_comment(lines.line());
   const std::string_view word = take_word(first);
   if (word == "ply")
     return ".ply";
@@ -75,12 +75,16 @@ std::string extension_of_content(const std::string& bytes)
     return ".vtp";
   if (word.substr(0, 2) == "PK")
     return ".3mf";
-  if (is_binary_STL(bytes) && word.find("OFF") == word.npos)
-    return ".stl";
   std::string letters;
   for (const char c : word)
     letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return letters == "solid" ? ".stl" : letters.find("off") < 6 || number<std::size_t>(word) ? ".off" : ".obj";
+  constexpr std::size_t longest_prefix = 5; // STCN4OFF
+  if (letters.find("off") <= longest_prefix)
+    return ".off";
+  const bool is_text = bytes.find('\0') == std::string::npos;
+  if (letters == "solid" || is_binary_STL(bytes) || !is_text)
+    return ".stl";
+  return number<std::size_t>(word) ? ".off" : ".obj";
 }
 
 void check(const Polygon_soup& soup)
