@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROTRUSION_SEGMENTATION_TOOLS_REPAIR_SPECKS_H
+#define PROTRUSION_SEGMENTATION_TOOLS_REPAIR_SPECKS_H
+
+#include "repair/Joined_faces.h"
+#include "repair/Parity_sets.h"
+#include "repair/area_vector.h"
+
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace tool
+{
+
+// Looks for the components that are better labelled by their neighbours than segmented: tiny ones, and walls between two
+// solids, which hang on crowded edges all around. They must touch what remains.
+class Specks
+{
+public:
+  // A component with less of the whole area is tiny.
+  static constexpr double share_of_area = .001;
+
+  Specks(const Polygon_soup& soup, const std::vector<std::size_t>& places, const Joined_faces& joined)
+    : m_soup(soup),
+      m_places(places),
+      m_joined(joined),
+      m_component(joined.pairs.components()),
+      m_is_speck(m_component.size(), false)
+  {
+    find_tiny_ones();
+    find_walls();
+    keep_lonely_ones();
+  }
+
+  // Sets the faces of specks, in their number in the file; returns the number of specks.
+  std::size_t leave_out(std::vector<bool>& is_left_out) const
+  {
+    std::size_t count = 0;
+    for (std::size_t face = 0; face < m_component.size(); ++face)
+      if (m_is_speck[m_component[face]])
+      {
+        is_left_out[m_joined.choice.kept[face]] = true;
+        count += m_component[face] == face ? 1 : 0; // a component is named after one of its faces
+      }
+    return count;
+  }
+
+private:
+  void find_tiny_ones()
+  {
+    std::vector<double> area(m_component.size(), 0);
+    for (std::size_t face = 0; face < area.size(); ++face)
+      area[m_component[face]] += std::sqrt(
+        area_vector(m_soup.points, m_joined.choice.polygons[face]).squared_length());
+    const double whole_area = std::accumulate(area.begin(), area.end(), 0.);
+    for (std::size_t face = 0; face < area.size(); ++face)
+      m_is_speck[face] = area[face] < share_of_area * whole_area;
+  }
+
+  void find_walls()
+  {
+    const Edge_pairs& pairs = m_joined.pairs;
+    std::vector<bool> is_wall(m_component.size(), true);
+    for (std::size_t side = 0; side < pairs.number_of_sides(); ++side)
+    {
+      const std::size_t face = pairs.face(side);
+      const bool is_free = pairs.partner(side) == Edge_pairs::none && !pairs.is_crowded(side);
+      if (!m_joined.choice.has_double[face] || is_free)
+        is_wall[m_component[face]] = false;
+    }
+    std::vector<bool> has_border(m_component.size(), false);
+    for (std::size_t side = 0; side < pairs.number_of_sides(); ++side)
+      if (pairs.partner(side) == Edge_pairs::none)
+        has_border[m_component[pairs.face(side)]] = true;
+    for (std::size_t face = 0; face < m_component.size(); ++face)
+      m_is_speck[face] = m_is_speck[face] || (is_wall[face] && has_border[face]);
+  }
+
+  // Those that touch nothing but other specks, or nothing at all.
+  void keep_lonely_ones()
+  {
+    Parity_sets clusters(m_places.size());
+    for (const Polygon& polygon : m_joined.choice.polygons)
+      for (const std::size_t corner : polygon)
+        clusters.unite(m_places[polygon.front()], m_places[corner], false);
+    const auto cluster_of = [&](std::size_t face)
+    { return clusters.find(m_places[m_joined.choice.polygons[face].front()]).first; };
+    std::vector<bool> has_more(m_places.size(), false);
+    for (std::size_t face = 0; face < m_component.size(); ++face)
+      if (!m_is_speck[m_component[face]])
+        has_more[cluster_of(face)] = true;
+    for (std::size_t face = 0; face < m_component.size(); ++face)
+      if (!has_more[cluster_of(face)])
+        m_is_speck[m_component[face]] = false;
+  }
+
+  const Polygon_soup& m_soup;
+  const std::vector<std::size_t>& m_places;
+  const Joined_faces& m_joined;
+  std::vector<std::size_t> m_component; // of each chosen face
+  std::vector<bool> m_is_speck;         // of each component
+};
+
+} // namespace tool
+
+#endif // PROTRUSION_SEGMENTATION_TOOLS_REPAIR_SPECKS_H
