@@ -46,8 +46,11 @@ where ways across concave seams are longer than they are on the surface. With a 
 of the distance on the faces. Segments of less than 0.25 % of the area of a component are not cut off: with a large
 number of segments there may be fewer than asked for.
 
-Complexity: normals are averaged by some dozen passes over the faces, the more the finer the mesh; then coarsening
-and every border take linear time.
+With `CGAL::Parallel_tag`, segments are searched for cuts by several threads, if the distance is the method's own; the
+labels are the same.
+
+Complexity: linear in the number of faces. Normals are averaged on groups of faces where these are small, and of all that
+is searched on the coarse graph, the time does not depend on the number of faces.
 */
 class Minimum_cut_method
 {
