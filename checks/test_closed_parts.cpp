@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-using tool::Closed_part;
+using tool::Polygon_soup;
 using tool::Mesh;
 using tool::Point;
 using Labels = std::vector<std::size_t>;
@@ -31,7 +31,7 @@ namespace
 {
 
 // Six times the volume, of fans.
-double volume(const Closed_part& part)
+double volume(const Polygon_soup& part)
 {
   double sum = 0;
   for (const auto& polygon : part.polygons)
@@ -41,9 +41,9 @@ double volume(const Closed_part& part)
   return sum;
 }
 
-Closed_part whole(const Mesh& mesh)
+Polygon_soup whole(const Mesh& mesh)
 {
-  Closed_part part;
+  Polygon_soup part;
   for (const auto v : vertices(mesh))
     part.points.push_back(mesh.point(v));
   for (const auto f : faces(mesh))
@@ -56,7 +56,7 @@ Closed_part whole(const Mesh& mesh)
 }
 
 // Edges that are not once in each direction.
-std::size_t number_of_open_edges(const Closed_part& part)
+std::size_t number_of_open_edges(const Polygon_soup& part)
 {
   std::map<std::pair<std::size_t, std::size_t>, int> uses;
   for (const auto& polygon : part.polygons)
@@ -73,7 +73,7 @@ std::size_t number_of_open_edges(const Closed_part& part)
 
 void check_parts(const Mesh& mesh, const Labels& labels, const Labels& parents, const std::string& name)
 {
-  const std::vector<Closed_part> parts = tool::closed_parts(mesh, labels, parents);
+  const std::vector<Polygon_soup> parts = tool::closed_parts(mesh, labels, parents);
   CHECK_EQUAL(parts.size(), parents.size());
   double sum = 0;
   std::size_t number_of_faces = 0;
@@ -138,7 +138,7 @@ void test_box_in_halves()
     largest = (std::max)(largest, mesh.point(v)[0]);
   }
   const auto parts = tool::closed_parts(mesh, labels_of_halves(mesh, 0, (smallest + largest) / 2), {0, 0});
-  for (const Closed_part& part : parts)
+  for (const Polygon_soup& part : parts)
   {
     CHECK_EQUAL(part.points.size(), 8);
     CHECK_EQUAL(part.polygons.size(), mesh.number_of_faces() / 2 + 2); // two triangles close a square

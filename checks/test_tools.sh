@@ -3,13 +3,13 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# test_tools.sh SEGMENT_BY_PROTRUSIONS EVALUATE_SEGMENTATION MAKE_EXAMPLE_MESH DATA_FOLDER WORK_FOLDER
+# test_tools.sh SEGMENT_BY_PROTRUSIONS EVALUATE_SEGMENTATION MAKE_EXAMPLE_MESH DATA_FOLDER WORK_FOLDER JSON_SCHEMA
 #
 # The command line tools as a user meets them: exit codes, messages, files; on good input, on each of the
 # awkward files as its entry in the table of DATA_FOLDER/README.md demands, and where nothing can be written.
 
 set -uo pipefail
-segment=$1 evaluate=$2 make_mesh=$3 data=$4 work=$5
+segment=$1 evaluate=$2 make_mesh=$3 data=$4 work=$5 schema=$6
 rm -rf "$work"
 mkdir -p "$work"
 cd "$work"
@@ -50,6 +50,12 @@ expect_one_line()
 expect_text() # FILE TEXT
 {
   grep -qaF -- "$2" "$1" || fail "$command: no '$2' in $1"
+}
+
+# The first number with that key.
+json_value() # FILE KEY
+{
+  grep -m 1 -F "\"$2\": " "$1" | tr -cd '0-9'
 }
 
 # Nothing but these files may be in the folder.
@@ -273,7 +279,7 @@ test_distances()
     expect_text stdout '"segments": 3,'
     [ $distance = landmark ] || expect_text stdout '"landmarks": null'
     [ $distance = diffusion ] || expect_text stdout '"eigenpairs": null'
-    [ $distance = diffusion ] || expect_text stdout '"time": null'
+    [ $distance = diffusion ] || expect_text stdout '"diffusion_time": null'
   done
   expect 0 "$segment" $in -k 3 --json - # the default method measures on a graph of its own
   for key in '"method": "minimum-cut"' '"distance": null' '"border_slot": null' '"value": ' '"preparation"'; do
@@ -281,7 +287,7 @@ test_distances()
   done
   expect 0 "$segment" $in -k 3 --distance diffusion --eigenpairs 5 --time 0 --json -
   expect_text stdout '"eigenpairs": 5,'
-  expect_text stdout '"time": 0.0,'
+  expect_text stdout '"diffusion_time": 0.0,'
   expect 0 "$segment" "$data/tetrahedron.off" --distance diffusion --eigenpairs 300
   expect 2 "$segment" "$data/tetrahedron.off" --distance diffusion --eigenpairs 1000000
   expect 2 "$segment" $in --distance heat --time 1
@@ -307,10 +313,10 @@ test_number_of_segments()
   [ ! -e outputs/five.seg ] || fail "$command: wrote an output"
 }
 
-# The table of the awkward files: | `name` | what it is | accept, accept or repair, reject |
+# The table of the awkward files: | `name` | what it is | accept, repair, reject |
 test_awkward_meshes()
 {
-  mkdir awkward
+  mkdir awkward records
   local name duty distance
   while IFS=$'\t' read -r name duty; do
     if [ "$duty" != reject ]; then
@@ -323,21 +329,25 @@ test_awkward_meshes()
     run "$segment" "$data/$name" -o awkward/a.seg -o awkward/a.ply -o awkward/a.glb -o awkward/a.vtp \
         -o awkward/parts/%d.ply --json awkward/a.json "${report_option[@]}"
     case "$duty:$code" in
-      accept:0 | "accept or repair:0")
+      accept:0 | repair:0)
         [ -s awkward/a.seg ] && [ -s awkward/a.json ] || fail "$name: accepted without output"
+        [ "$(wc -l <awkward/a.seg)" = "$(json_value awkward/a.json faces)" ] || fail "$name: not a label for each face"
+        [ $duty = accept ] || grep -qE "degenerate|duplicate|more than two faces|turned over" stderr ||
+          fail "$name: repaired without a word"
+        mv awkward/a.json "records/$name.json"
         rm -r awkward/* ;;
-      reject:1 | "accept or repair:1")
+      reject:1)
         expect_one_line "$data/$name: " ;;
       *)
         fail "$name: must $duty" ;;
     esac
     expect_empty_folder awkward
-  done < <(sed -nE 's/^\| `([^`]*)`.*\| (accept|accept or repair|reject) \|$/\1\t\2/p' "$data/README.md" |
+  done < <(sed -nE 's/^\| `([^`]*)`.*\| (accept|repair|reject) \|$/\1\t\2/p' "$data/README.md" |
            grep -v '\.seg')
   expect 1 "$segment" "$data/no_such_file.off"
   expect_one_line "no_such_file.off: "
-  expect 1 "$segment" "$data"
-  expect_one_line "$data: "
+  expect 2 "$segment" "$data"
+  expect_one_line "--output-folder"
 }
 
 test_awkward_segmentations()
@@ -389,6 +399,173 @@ test_unwritable_outputs()
   "$segment" "$in" >/dev/full 2>stderr && fail "standard output: a full one is no failure"
 }
 
+test_words()
+{
+  local in=outputs/teddy.off words
+  for words in 0 -3 abc 2.5 99999999999999999999999; do
+    expect 2 "$segment" $in -k "$words"
+    expect_one_line "'$words' is "
+    [ "$(wc -c <stderr)" -lt 120 ] || fail "$command: too many words"
+  done
+  expect 0 "$segment" --version
+  grep -qE "^segment_by_protrusions [0-9]+\.[0-9]+\.[0-9]+$" stdout || fail "$command: no version"
+  : >outputs/empty.xyz
+  expect 1 "$segment" outputs/empty.xyz
+  expect_one_line "outputs/empty.xyz: is in no known format"
+  expect 0 "$segment" $in -k 4 -o outputs/numbered/%03d.off
+  expect_text stdout "wrote outputs/numbered/%03d.off (4 files)"
+  expect_files outputs/numbered 000.off 001.off 002.off 003.off
+  expect 0 "$segment" $in -k 4 --distance diffusion --eigenpairs 101
+  expect_text stderr "101 eigenpairs on "
+  expect 1 "$segment" "$data/word_in_face.obj"
+  expect_one_line "word_in_face.obj: line 6: 'x' is no corner of a face"
+  expect 1 "$segment" "$data/incomplete_vertex.off"
+  expect_one_line "incomplete_vertex.off: line 4: "
+  expect 1 "$segment" "$data/range_grid.ply"
+  expect_one_line "range grid"
+  expect 0 "$segment" "$data/facet_of_two_points.stl" --json -
+  expect_text stderr "1 degenerate face has the label of a neighbour"
+  expect_text stdout '"degenerate_faces": 1,'
+  expect 0 "$segment" "$data/facet_of_two_points.stl" -k 2 -o outputs/labels.seg
+  expect 0 "$evaluate" "$data/facet_of_two_points.stl" outputs/labels.seg outputs/labels.seg
+  expect 0 "$segment" "$data/double_sided.off" --json -
+  expect_text stderr "6 duplicate faces have that of the first"
+  expect 0 "$segment" "$data/wall_between_solids.off" --json -
+  expect_text stdout '"components": 1,'
+}
+
+# The same through pipes as by files; the format is found by how the file begins.
+test_pipes()
+{
+  local name
+  expect 0 "$segment" outputs/teddy.off -k 4 -o outputs/piped.seg
+  expect 0 "$segment" outputs/teddy.off -k 4 -o -
+  cmp -s stdout outputs/piped.seg || fail "$command: the standard output is not the file"
+  for name in tetrahedron.off tetrahedron.obj tetrahedron.ply tetrahedron.stl tetrahedron_binary.stl tetrahedron.ts \
+              smallest_byte_first_binary.off no_keyword.off tetrahedron.off.gz counts_behind_keyword.off; do
+    command="$name through a pipe"
+    "$segment" - -k 2 -o - <"$data/$name" >stdout 2>stderr || fail "is refused"
+    [ "$(wc -l <stdout)" = 4 ] || fail "has not four labels"
+  done
+  for name in teddy.obj teddy.ply teddy.stl; do
+    expect 0 "$make_mesh" teddy outputs/piped_$name --faces 1000
+    command="$name through a pipe"
+    "$segment" - -k 2 -o - <outputs/piped_$name >stdout 2>stderr || fail "is refused"
+    [ "$(wc -l <stdout)" -ge 1000 ] || fail "has not a label for each face"
+  done
+  mkfifo outputs/pipe.off
+  cat "$data/tetrahedron.off" >outputs/pipe.off &
+  expect 0 "$segment" outputs/pipe.off -k 2
+  wait
+  rm outputs/pipe.off
+  command="nothing through a pipe"
+  "$segment" - </dev/null >stdout 2>stderr && fail "is accepted"
+  expect_one_line "-: is empty"
+}
+
+# An object within a component within a component, moved and scaled: with lib3mf, or not without a word.
+test_3MF()
+{
+  run "$segment" "$data/three_tetrahedra.3mf" -o outputs/a.off
+  if ! "$segment" --help | grep -q "3mf"; then
+    [ "$code" = 1 ] || fail "$command: is accepted"
+    expect_one_line "lib3mf"
+    return
+  fi
+  [ "$code" = 0 ] || fail "$command: is refused"
+  [ "$(sed -n 2p outputs/a.off)" = "12 12 0" ] || fail "$command: not three tetrahedra"
+  for point in "0 0 8" "2 10 0" "12 10 0" "10 12 0"; do
+    grep -qx "$point" outputs/a.off || fail "$command: no vertex at $point"
+  done
+}
+
+test_collection()
+{
+  mkdir -p meshes/inner
+  cp outputs/teddy.off meshes/a.off
+  gzip -c "$data/tetrahedron.stl" >meshes/inner/b.stl.gz
+  cp "$data/truncated.off.gz" meshes/broken.off.gz
+  cp "$data/tetrahedron.obj" "$data/tetrahedron.ply" meshes
+  local call=("$segment" meshes "$data/quads.off" --output-folder collection --jobs 2 --format seg --format ply -k 2)
+  run "${call[@]}"
+  [ "$code" = 1 ] || fail "$command: a failure is not told by the exit code"
+  expect_text stdout "meshes/a.off: "
+  expect_text stderr "meshes/broken.off.gz: is gzip, but broken"
+  expect_text stderr "6 meshes: 5 segmented, 0 already there, 1 failed"
+  expect_files collection a.{seg,ply,json} inner inner/b.{seg,ply,json} broken.json quads.{seg,ply,json} \
+               tetrahedron.obj.{seg,ply,json} tetrahedron.ply.{seg,ply,json}
+  expect_text collection/broken.json '"error": '
+  cp collection/*.json collection/inner/*.json records
+
+  cp "$data/tetrahedron.off" meshes/broken.off && rm meshes/broken.off.gz collection/a.ply
+  touch -d "1 hour" meshes/tetrahedron.obj
+  expect 0 "${call[@]}"
+  expect_text stdout "6 meshes: 3 segmented, 3 already there, 0 failed"
+  touch meshes/tetrahedron.obj
+  expect 0 "${call[@]}" --seed 1
+  expect_text stdout "6 meshes: 6 segmented, 0 already there, 0 failed"
+  expect 0 "${call[@]}" --seed 1
+  expect_text stdout "6 meshes: 0 segmented, 6 already there, 0 failed"
+  expect 0 "${call[@]}" --seed 1 --again --quiet
+  [ -s stdout ] && fail "$command: is not quiet"
+
+  expect 1 "$segment" meshes/a.off meshes/a.off --output-folder twice
+  expect_one_line "has the same name as another mesh"
+  # Outputs are no inputs, and take the place of none.
+  expect 1 "$segment" meshes --output-folder meshes --format off
+  expect_one_line "would be a mesh among those to be segmented"
+  for i in 1 2; do
+    expect 0 "$segment" meshes --output-folder meshes/inner/out --format ply
+    expect_text stdout "5 meshes: "
+  done
+  rm -r meshes/inner/out
+  mkdir nothing
+  expect 1 "$segment" nothing --output-folder twice
+  expect_one_line "nothing: has no mesh in it"
+  local options
+  for options in "-o a.seg" "--json a.json" "--format xyz" "--jobs 0"; do
+    # shellcheck disable=SC2086
+    expect 2 "$segment" meshes --output-folder twice $options
+  done
+  for options in "--jobs 2" "--format ply" "--again"; do
+    # shellcheck disable=SC2086
+    expect 2 "$segment" meshes/a.off $options
+  done
+  expect 2 "$segment" meshes/a.off meshes/broken.off
+}
+
+# All records so far are as the schema says, and their sums are right.
+test_json_schema()
+{
+  if ! /usr/bin/python3 -c "import jsonschema" 2>/dev/null; then
+    echo "skipped: the JSON schema (Debian: python3-jsonschema)"
+    return
+  fi
+  expect 0 "$segment" outputs/teddy.off -k 4 --method paper --distance diffusion --json records/paper.json
+  expect 0 "$segment" outputs/teddy.off -k 4 --json records/minimum_cut.json
+  expect_text records/minimum_cut.json '"distance_histogram": null'
+  run /usr/bin/python3 - "$schema" records/*.json <<'END'
+import json, sys
+import jsonschema
+validator = jsonschema.Draft7Validator(json.load(open(sys.argv[1])))
+problems = 0
+for name in sys.argv[2:]:
+    record = json.load(open(name))
+    found = [error.message[:200] for error in validator.iter_errors(record)]
+    if "error" not in record:
+        if abs(sum(stage["seconds"] for stage in record["stages"]) - record["seconds"]) > 1e-6:
+            found.append("the stages take another time than all")
+        if sum(measure["faces"] for measure in record["measures"]) != record["faces"]:
+            found.append("the segments have another number of faces than all")
+    problems += len(found)
+    for problem in found:
+        print(f"{name}: {problem}", file=sys.stderr)
+print(len(sys.argv) - 2, "records")
+sys.exit(problems > 0)
+END
+  [ "$code" = 0 ] || fail "the records are not as the schema says"
+}
+
 code=0 command="" report_option=()
 touch stdout stderr
 test_usage
@@ -402,5 +579,10 @@ test_number_of_segments
 test_awkward_meshes
 test_awkward_segmentations
 test_unwritable_outputs
+test_words
+test_pipes
+test_3MF
+test_collection
+test_json_schema
 echo "$failures failures"
 [ "$failures" = 0 ]

@@ -135,14 +135,14 @@ Metrics metrics_of_benchmark(const tool::Mesh& mesh,
 
 void evaluate(const Command_line& command_line)
 {
-  tool::Mesh mesh = tool::read_mesh(command_line.mesh);
-  const tool::Segment_ids segments = tool::read_segmentation(command_line.segmentation, mesh);
+  tool::Input_mesh input = tool::read_input_mesh(command_line.mesh);
+  const tool::Segment_ids segments = tool::read_segmentation(command_line.segmentation, input);
   std::vector<Metrics> metrics;
   for (const std::string& reference : command_line.references)
   {
-    tool::Segment_ids reference_ids = tool::read_segmentation(reference, mesh);
-    metrics.push_back(metrics_of_benchmark(mesh, segments, reference_ids));
-    mesh.remove_property_map(reference_ids);
+    tool::Segment_ids reference_ids = tool::read_segmentation(reference, input);
+    metrics.push_back(metrics_of_benchmark(input.mesh, segments, reference_ids));
+    input.mesh.remove_property_map(reference_ids);
   }
 
   const auto write_json = [&](std::ostream& out)
@@ -165,7 +165,7 @@ int main(int argc, char** argv)
   Command_line command_line;
   CLI::App app("Scores a segmentation of a mesh against reference segmentations.",
                "evaluate_segmentation");
-  app.add_option("mesh", command_line.mesh, "mesh: OFF, OBJ, PLY, STL, TS")
+  app.add_option("mesh", command_line.mesh, "mesh: " + tool::known_formats() + ", each also compressed by gzip (.gz)")
     ->required()->type_name("MESH");
   app.add_option("segmentation", command_line.segmentation, "its segmentation: one id a line")
     ->required()->type_name("SEGMENTATION");

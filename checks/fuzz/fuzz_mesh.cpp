@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Any bytes as a mesh file, all the way of the command line tool: a mesh or an error in one line, then a valid
+// Any bytes as a mesh file, all the way of the command line tool: a mesh that has a label for
+// each face or an error in one line, then a valid
 // segmentation. The first byte chooses format, method and number of segments, the rest is the file.
 
 #include "fuzz_target.h"
@@ -78,23 +79,38 @@ void segment(const tool::Mesh& mesh, std::size_t method, std::size_t k)
 
 } // namespace
 
+// What read_input_mesh() promises.
+void check(const tool::Input_mesh& input)
+{
+  const std::size_t faces = input.mesh.number_of_faces();
+  require(input.label_giver.size() == input.soup.polygons.size(), "a face of the file is without label");
+  require(input.face_in_file.size() == faces, "a face of the mesh is not from the file");
+  require(input.point_of_vertex.size() == input.mesh.number_of_vertices(), "a vertex is not from the file");
+  for (const std::size_t giver : input.label_giver)
+    require(giver < faces, "a face of the file has the label of no face");
+  for (std::size_t i = 0; i < faces; ++i)
+    require(input.label_giver[input.face_in_file[i]] == i, "a face of the mesh does not label itself");
+}
+
 void fuzz(const std::string& bytes)
 {
-  static const std::vector<std::string> extensions = {".off", ".obj", ".ply", ".stl"};
+  static const std::vector<std::string> extensions = {".off", ".obj", ".ply", ".stl", ".ts"};
   if (bytes.empty())
     return;
   const std::size_t choice = static_cast<unsigned char>(bytes[0]);
-  const Temporary_mesh_file file(extensions[choice % 4], bytes.substr(1));
-  tool::Mesh mesh;
+  const Temporary_mesh_file file(extensions[choice % 5], bytes.substr(1));
+  tool::Input_mesh input;
   try
   {
-    mesh = tool::read_mesh(file.name());
+    input = tool::read_input_mesh(file.name());
   }
   catch (const tool::Error& error)
   {
     require(std::string(error.what()).find(file.name()) == 0, "the error does not name the file");
+    require(std::string(error.what()).find('\n') == std::string::npos, "the error is longer than a line");
     return;
   }
-  if (mesh.number_of_faces() <= maximum_number_of_faces)
-    segment(mesh, choice / 4 % 4, choice / 16);
+  check(input);
+  if (input.mesh.number_of_faces() <= maximum_number_of_faces)
+    segment(input.mesh, choice / 5 % 4, choice / 20);
 }

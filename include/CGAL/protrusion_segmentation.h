@@ -34,12 +34,12 @@ are those of the bodies, one in each connected component; the others are those o
 their borders were chosen. The ids depend on where the faces are and not on the order of `faces(tmesh)`, except for
 faces with the same centroid.
 
-For `Minimum_cut_method` the body of a component is the segment without which no connected piece of it has more than
-half of its area. So what lies beyond a border, seen from the body, is never the larger side. For `Histogram_method`
-the protrusion is the side of the tip, and the body is what is left.
+For `Minimum_cut_method`, the body is the segment in the middle: if it is taken away, every connected piece that is left
+of the component has at most half of its area. For `Histogram_method`, the protrusion is the side of the tip, and the
+body is what is left in the end.
 
-A mesh of several connected components has at least as many segments, even if fewer were asked for. It may
-have fewer segments than asked for if no more borders are found.
+There are fewer segments than asked for if no more borders are found, and more only if there are more connected
+components: each of them has at least one segment.
 
 Coordinates are converted to `double` by `CGAL::to_double()`, whatever the kernel of the points is: those of an
 exact kernel are rounded.
@@ -56,8 +56,8 @@ exact kernel are rounded.
 \param tmesh the mesh. Faces may be any polygons; there may be borders and several components.
 \param segment_ids the segment of every face; written only if the function succeeds
 \param number_of_segments the number of segments k, from 1 to the number of faces
-\param method the method with its options and its distance, for instance
-       `Protrusion_segmentation::Histogram_method(Protrusion_segmentation::Landmark_geodesic_distance(0.1))`
+\param method the method with its options and its distance, for instance a `Protrusion_segmentation::Histogram_method`
+       that is made from a `Protrusion_segmentation::Landmark_geodesic_distance`
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
@@ -125,8 +125,8 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-splits a surface mesh into a body and as many protrusions as there are evident ones, by a method of choice: the
-method stops by itself, the first criterion of Section III of the paper.
+splits a surface mesh into a body and its evident protrusions, by a method of choice. The method stops by itself: the
+first criterion of Section III of the paper.
 
 \param tmesh, segment_ids, method, np as for the function with a number of segments and a method
 \return as for the function with a number of segments and a method
@@ -213,11 +213,13 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph&, SegmentMap, const
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-selects protrusion tips, Section III.C: the face with the largest sum of distances to all faces,
-eq.&nbsp;(1), then again and again the face farthest from all tips so far, eq.&nbsp;(2).
+selects protrusion tips, faces far from each other along the surface.
 
-In a mesh of several connected components, the number of tips is shared out by area: one tip after the other goes to
-the component that has the largest area for each of its tips, this one counted.
+The first tip is the face with the largest sum of distances to all faces, eq.&nbsp;(1) in Section III.C of the paper.
+Every further tip is the face farthest from all tips so far, eq.&nbsp;(2).
+
+If the mesh has several connected components, large ones get more tips: every tip goes to the component with the largest
+quotient of its area and the number of tips that it would then have.
 
 \tparam ConcurrencyTag as for `segmentation_via_protrusion_tips()`
 \tparam Number any integer type
@@ -228,7 +230,7 @@ the component that has the largest area for each of its tips, this one counted.
 \param tmesh the mesh
 \param number_of_tips the number of tips, at most the number of faces
 \param tips where the faces at the tips are written, in the order of selection in each component; fewer than
-            asked for if the remaining faces are at no distance from a tip; none if the visitor stops the function
+            asked for if all remaining faces are at distance 0 from a tip; none if the visitor stops the function
 \param distance the distance on the surface
 \param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed` and `visitor` as for
           `segmentation_via_protrusion_tips()`
@@ -363,16 +365,15 @@ std::size_t segmentation_from_protrusion_tips(const FaceGraph&, const FaceRange&
 
 computes the hierarchy of nested protrusions by a method of choice: one call that serves every number of segments.
 
-The segmentation of the hierarchy for its maximum number of segments is the one of
-`segmentation_via_protrusion_tips()` for that number. Those for smaller numbers follow from it by giving protrusions
-back, so that all are nested; `segmentation_via_protrusion_tips()` for a smaller number may find borders that are
-better together.
+For its maximum number of segments, the hierarchy has the segmentation of `segmentation_via_protrusion_tips()`. Those for
+smaller numbers are made from it by joining protrusions to what they stick out of, so that all are nested.
+`segmentation_via_protrusion_tips()` for a smaller number may find borders that are better together.
 
 \tparam ConcurrencyTag, FaceGraph, Number, Method as for `segmentation_via_protrusion_tips()`
 
 \param tmesh the mesh
-\param maximum_number_of_segments where to stop, from 1 to the number of faces; the hierarchy ends earlier if
-       no more borders are found
+\param maximum_number_of_segments the number of segments of the finest segmentation, from 1 to the number of faces; it
+       has fewer if no more borders are found
 \param method the method with its options and its distance
 \param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed` and `visitor` as
        for `segmentation_via_protrusion_tips()`

@@ -22,6 +22,7 @@ import subprocess
 import tempfile
 
 FIGURES = pathlib.Path(__file__).resolve().parents[2] / "doc/Protrusion_segmentation/fig"
+TOOL_FIGURES = pathlib.Path(__file__).resolve().parent / "standalone"
 FACES = 16000
 
 # the number of segments, and where the camera stands as seen from the shape
@@ -266,6 +267,12 @@ def show(mesh, colors, name, shape, **size):
     scene.render(name, SHAPES[shape][1], **size)
 
 
+def join(pictures, name, height):
+    """One picture of several side by side, no wider than a page of CGAL's manual."""
+    subprocess.run(["convert", *pictures, "-resize", f"x{height}", "-bordercolor", "white", "-border", "6x0", "+append",
+                    "-strip", "+dither", "-colors", "128", "-white-threshold", "97%", f"PNG8:{FIGURES / name}"], check=True)
+
+
 def nested(workshop):
     """Fig. 1 of the paper: protrusions that have protrusions."""
     mesh, ids, record = workshop.segment("teddy", "--method", "minimum-cut", segments=8)
@@ -314,7 +321,8 @@ def tip_spheres(workshop):
         scene.add_mesh(mesh, [PLAIN] * len(mesh.faces))
         for tip in tips(record):
             scene.add_sphere(mesh.centroids[tip], 0.14, RED)
-        scene.render(f"tips_{shape}.png", direction)
+        scene.render(workshop.folder / f"tips_{shape}.png", direction)
+    join([workshop.folder / f"tips_{shape}.png" for shape in SHAPES], "tips.png", 180)
 
 
 def slots(workshop):
@@ -335,12 +343,10 @@ def gallery(workshop):
     """Fig. 8: segmentations of all shapes."""
     for shape in SHAPES:
         mesh, _, _ = workshop.segment(shape, "--method", "minimum-cut")
-        show(mesh, mesh.colors, f"gallery_{shape}.png", shape)
+        show(mesh, mesh.colors, workshop.folder / f"gallery_{shape}.png", shape)
         if shape == "horse":
             show(mesh, mesh.colors, "package.png", shape, area=22500)
-    subprocess.run(["convert", *[FIGURES / f"gallery_{shape}.png" for shape in SHAPES], "-resize", "x180",
-                    "-bordercolor", "white", "-border", "6x0", "+append", "-strip", "+dither", "-colors",
-                    "128", f"PNG8:{FIGURES / 'readme.png'}"], check=True)
+    join([workshop.folder / f"gallery_{shape}.png" for shape in SHAPES], "readme.png", 180)
 
 
 def report(workshop):
@@ -353,16 +359,19 @@ def report(workshop):
                     "--virtual-time-budget=20000", f"{page.resolve().as_uri()}#8"],
                    check=True, timeout=300, capture_output=True)
     subprocess.run(["convert", picture, "-resize", "900x", "-strip", "+dither", "-colors", "96",
-                    f"PNG8:{FIGURES / 'report.png'}"], check=True)
+                    f"PNG8:{TOOL_FIGURES / 'report.png'}"], check=True)
 
 
 def landmarks(workshop):
     """Figs. 9 and 10: the geodesic distance against its approximations by landmarks."""
-    for shape in ("octopus", "chair"):
+    for shape, height in (("octopus", 140), ("chair", 300)):
+        names = []
         for name, options in (("GD", []), *((f"LGD{n}", ["--distance", "landmark", "--landmarks", f"{n}%"])
                                             for n in (10, 5, 1))):
             mesh, _, _ = workshop.segment(shape, "--method", "paper", *options)
-            show(mesh, mesh.colors, f"{shape}_{name}.png", shape)
+            names.append(workshop.folder / f"{shape}_{name}.png")
+            show(mesh, mesh.colors, names[-1], shape)
+        join(names, f"landmarks_{shape}.png", height)
 
 
 def main():
@@ -377,7 +386,7 @@ def main():
     with tempfile.TemporaryDirectory() as temporary:
         folder = arguments.work or pathlib.Path(temporary)
         folder.mkdir(parents=True, exist_ok=True)
-        workshop = Workshop(arguments.programs.resolve(), folder)
+        workshop = Workshop(arguments.programs.resolve(), folder.resolve())
         for name in arguments.only:
             figures[name](workshop)
 

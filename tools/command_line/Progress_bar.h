@@ -30,11 +30,12 @@ inline bool is_standard_error_a_terminal()
 #endif
 }
 
-// One line on the standard error that is written over and over, and is gone in the end.
+// One line on the standard error that is written over and over, and is gone in the end. What is done before
+// anybody grows impatient shows none.
 class Progress_bar
 {
 public:
-  explicit Progress_bar(bool is_shown) : m_is_shown(is_shown) {}
+  explicit Progress_bar(bool is_shown) : m_is_shown(is_shown), m_start(Clock::now()) {}
   Progress_bar(const Progress_bar&) = delete;
   Progress_bar& operator=(const Progress_bar&) = delete;
   ~Progress_bar() { clear(); }
@@ -42,15 +43,15 @@ public:
   // `share` of the work is done, in [0, 1]
   void show(double share, const std::string& text)
   {
-    const auto now = std::chrono::steady_clock::now();
-    const bool is_due = m_line_length == 0 || now - m_last_time > std::chrono::milliseconds(50);
+    const Clock::time_point now = Clock::now();
+    const bool is_due = now - m_last_time > std::chrono::milliseconds(50) && now - m_start > patience;
     if (!m_is_shown || !is_due)
       return;
     m_last_time = now;
     const double clamped = std::clamp(share, 0., 1.);
     const std::size_t filled = static_cast<std::size_t>(std::lround(clamped * width));
     const std::string line = "[" + std::string(filled, '#') + std::string(width - filled, ' ') +
-                             "] " + std::to_string(std::lround(100 * clamped)) + " %  " + text;
+                             "] " + std::to_string(std::lround(100 * clamped)) + " %  " + estimate(now, clamped) + text;
     overwrite(line);
   }
 
@@ -64,7 +65,20 @@ public:
   }
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   static constexpr std::size_t width = 30;
+  static constexpr std::chrono::seconds patience{2};
+
+  // Of the time that is left, as if the rest took as long as what is done.
+  std::string estimate(Clock::time_point now, double share) const
+  {
+    constexpr double enough = .02; // of the work, to estimate from
+    if (share < enough)
+      return "";
+    const double elapsed = std::chrono::duration<double>(now - m_start).count();
+    return "about " + std::to_string(std::lround(elapsed * (1 - share) / share)) + " s left  ";
+  }
 
   void overwrite(const std::string& line)
   {
@@ -75,7 +89,8 @@ private:
 
   bool m_is_shown;
   std::size_t m_line_length = 0;
-  std::chrono::steady_clock::time_point m_last_time;
+  Clock::time_point m_start;
+  Clock::time_point m_last_time;
 };
 
 } // namespace tool

@@ -13,7 +13,7 @@ namespace tool
 
 bool can_write_report() { return false; }
 
-void write_report(std::ostream&, const Mesh&, const Findings&)
+void write_report(std::ostream&, const Findings&)
 {
   throw Error("--report: this program was built without three.js");
 }

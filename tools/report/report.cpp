@@ -27,9 +27,12 @@ using Json = nlohmann::ordered_json;
 
 std::uint32_t index(std::size_t i) { return static_cast<std::uint32_t>(i); }
 
-// Two vertices and two segments for each edge between segments.
-std::vector<std::uint32_t> borders(const Mesh& mesh, const std::vector<std::size_t>& segment_ids)
+// Two points and two segments for each edge between segments.
+std::vector<std::uint32_t> borders(const Findings& findings)
 {
+  const Mesh& mesh = findings.mesh.mesh;
+  const std::vector<std::size_t>& segment_ids = findings.segmentation.segment_ids;
+  const auto point = [&](auto vertex) { return index(findings.mesh.point_of_vertex[vertex]); };
   std::vector<std::uint32_t> result;
   for (const auto e : edges(mesh))
   {
@@ -39,28 +42,27 @@ std::vector<std::uint32_t> borders(const Mesh& mesh, const std::vector<std::size
     const std::size_t here = segment_ids[face(h, mesh)];
     const std::size_t there = segment_ids[face(opposite(h, mesh), mesh)];
     if (here != there)
-      result.insert(result.end(), {index(source(h, mesh)), index(target(h, mesh)), index(here),
-                                   index(there)});
+      result.insert(result.end(), {point(source(h, mesh)), point(target(h, mesh)), index(here), index(there)});
   }
   return result;
 }
 
-Json describe_mesh(const Mesh& mesh, const std::vector<std::size_t>& segment_ids)
+Json describe_mesh(const Findings& findings)
 {
+  const Polygon_soup& soup = findings.mesh.soup;
   std::vector<std::uint32_t> triangles, face_of_triangle, segments;
-  for (const Face f : faces(mesh))
-  {
-    segments.push_back(index(segment_ids[f]));
-    for_each_triangle(mesh, f, [&](auto a, auto b, auto c) {
+  for (const std::size_t segment : spread(findings.segmentation.segment_ids, findings.mesh))
+    segments.push_back(index(segment));
+  for (std::size_t face = 0; face < soup.polygons.size(); ++face)
+    for_each_triangle(soup.polygons[face], [&](auto a, auto b, auto c) {
       triangles.insert(triangles.end(), {index(a), index(b), index(c)});
-      face_of_triangle.push_back(index(f));
+      face_of_triangle.push_back(index(face));
     });
-  }
-  return {{"positions", base64(positions_in_unit_ball(mesh, bounding_ball(mesh)))},
+  return {{"positions", base64(positions_in_unit_ball(soup.points, bounding_ball(soup.points)))},
           {"triangles", base64(triangles)},
           {"faces", base64(face_of_triangle)},
           {"segments", base64(segments)},
-          {"borders", base64(borders(mesh, segment_ids))}};
+          {"borders", base64(borders(findings))}};
 }
 
 Json colors(std::size_t number_of_segments)
@@ -93,11 +95,11 @@ void write(std::ostream& out, const char* const (&pieces)[n])
 
 bool can_write_report() { return true; }
 
-void write_report(std::ostream& out, const Mesh& mesh, const Findings& findings)
+void write_report(std::ostream& out, const Findings& findings)
 {
   Json record = describe(findings);
   record["colors"] = colors(findings.segmentation.number_of_segments);
-  record["mesh"] = describe_mesh(mesh, findings.segmentation.segment_ids);
+  record["mesh"] = describe_mesh(findings);
   write(out, report_page_begin);
   out << without_tags(record.dump(-1, ' ', false, Json::error_handler_t::replace));
   write(out, report_page_end);

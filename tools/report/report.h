@@ -5,7 +5,6 @@
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_REPORT_REPORT_H
 #define PROTRUSION_SEGMENTATION_TOOLS_REPORT_REPORT_H
 
-#include "reading/Mesh.h"
 #include "segmentation/Findings.h"
 
 #include <ostream>
@@ -18,7 +17,7 @@ bool can_write_report();
 
 // Writes a page that needs no other file: the mesh in three dimensions and what is known of each
 // segment.
-void write_report(std::ostream& out, const Mesh& mesh, const Findings& findings);
+void write_report(std::ostream& out, const Findings& findings);
 
 } // namespace tool
 

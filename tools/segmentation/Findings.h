@@ -7,6 +7,7 @@
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_FINDINGS_H
 #define PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_FINDINGS_H
 
+#include "repair/Input_mesh.h"
 #include "segmentation/Recorder.h"
 
 #include <cstddef>
@@ -34,9 +35,9 @@ struct Segmentation_options
 
 struct Segmentation
 {
-  std::vector<std::size_t> segment_ids; // in the order of the faces
+  std::vector<std::size_t> segment_ids; // of the faces of the mesh
   std::size_t number_of_segments = 0;
-  double seconds = 0; // without reading and writing files
+  double seconds = 0;
   Recorder record;
 };
 
@@ -45,8 +46,12 @@ struct Findings
 {
   std::string input;
   Segmentation_options options;
+  Input_mesh mesh;
+  double seconds_for_file = 0; // to read it and to make a surface of it
   Segmentation segmentation;
   std::string note; // empty, or why there are not as many segments as were asked for
+
+  double seconds() const { return seconds_for_file + segmentation.seconds; }
 };
 
 } // namespace tool

@@ -276,17 +276,17 @@ public:
       m_part.polygons.back().push_back(position->second);
     }
   }
-  Closed_part take() { return std::move(m_part); }
+  Polygon_soup take() { return std::move(m_part); }
 
 private:
   const std::vector<Point>& m_points;
   std::map<std::size_t, std::size_t> m_numbers;
-  Closed_part m_part;
+  Polygon_soup m_part;
 };
 
 } // namespace
 
-std::vector<Closed_part> closed_parts(const Mesh& mesh,
+std::vector<Polygon_soup> closed_parts(const Mesh& mesh,
                                       const std::vector<std::size_t>& segment_of_face,
                                       const std::vector<std::size_t>& parents)
 {
@@ -310,7 +310,7 @@ std::vector<Closed_part> closed_parts(const Mesh& mesh,
       corners.push_back(std::size_t(v));
     builders[segment_of_face[f]].add(corners);
   }
-  std::vector<Closed_part> parts;
+  std::vector<Polygon_soup> parts;
   for (std::size_t s = 0; s < parents.size(); ++s)
   {
     for (const Triangle& triangle : caps[s].triangles())

@@ -11,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -151,37 +153,36 @@ private:
 
 } // namespace
 
-void write_GLB(std::ostream& out,
-               const Mesh& mesh,
-               const Mesh::Property_map<Face, std::uint32_t>& segments)
+void write_GLB(std::ostream& out, const Segmented_soup& segmented)
 {
-  const Ball ball = bounding_ball(mesh);
-  const std::vector<float> positions = positions_in_unit_ball(mesh, ball);
-  std::map<std::uint32_t, std::vector<Face>> faces_of;
-  for (const Face f : faces(mesh))
-    faces_of[segments[f]].push_back(f);
+  const Ball ball = bounding_ball(segmented.soup.points);
+  const std::vector<float> positions = positions_in_unit_ball(segmented.soup.points, ball);
+  std::map<std::size_t, std::vector<std::size_t>> faces_of;
+  for (std::size_t face = 0; face < segmented.segments.size(); ++face)
+    faces_of[segmented.segments[face]].push_back(face);
 
   Glb glb(ball);
   for (const auto& [segment, faces_of_segment] : faces_of)
   {
     Triangles triangles;
-    std::map<Mesh::Vertex_index, std::uint32_t> indices;
-    const auto add_corner = [&](Mesh::Vertex_index v)
+    std::map<std::size_t, std::uint32_t> indices; // of points
+    const auto add_corner = [&](std::size_t point)
     {
       const std::uint32_t next = static_cast<std::uint32_t>(indices.size());
-      const auto [position, is_new] = indices.emplace(v, next);
+      const auto [position, is_new] = indices.emplace(point, next);
       if (is_new)
-        triangles.positions.insert(triangles.positions.end(), positions.begin() + 3 * v.idx(),
-                                   positions.begin() + 3 * v.idx() + 3);
+        triangles.positions.insert(triangles.positions.end(), positions.begin() + std::ptrdiff_t(3 * point),
+                                   positions.begin() + std::ptrdiff_t(3 * point + 3));
       triangles.corners.push_back(position->second);
     };
-    for (const Face f : faces_of_segment)
-      for_each_triangle(mesh, f, [&](auto a, auto b, auto c) {
+    for (const std::size_t face : faces_of_segment)
+      for_each_triangle(segmented.soup.polygons[face], [&](auto a, auto b, auto c) {
         add_corner(a);
         add_corner(b);
         add_corner(c);
       });
-    glb.add(segment, triangles);
+    if (!triangles.corners.empty())
+      glb.add(segment, triangles);
   }
   glb.write(out);
 }

@@ -5,9 +5,8 @@
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_GLB_H
 #define PROTRUSION_SEGMENTATION_TOOLS_WRITING_GLB_H
 
-#include "reading/Mesh.h"
+#include "writing/Segmented_soup.h"
 
-#include <cstdint>
 #include <ostream>
 
 namespace tool
@@ -15,9 +14,7 @@ namespace tool
 
 // Writes binary glTF 2.0: a node "segment N" for each segment, with a mesh and a material of its own, so
 // that segments can be picked one by one in other programs. Coordinates are as in the mesh.
-void write_GLB(std::ostream& out,
-               const Mesh& mesh,
-               const Mesh::Property_map<Face, std::uint32_t>& segments);
+void write_GLB(std::ostream& out, const Segmented_soup& segmented);
 
 } // namespace tool
 

@@ -4,8 +4,12 @@
 
 #include "writing/json.h"
 
+#include "repair/area_vector.h"
+
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -35,6 +39,12 @@ public:
     return *this;
   }
 
+  Object& add_all(const Json& object)
+  {
+    m_json.update(object);
+    return *this;
+  }
+
   Json take() { return std::move(m_json); }
 
 private:
@@ -43,36 +53,103 @@ private:
   Json m_json = Json::object();
 };
 
-void Object::add_json(const char* key, Json value) { m_json.emplace(key, std::move(value)); }
-
-Json describe(const Protrusion& protrusion)
+void Object::add_json(const char* key, Json value)
 {
+  m_json.emplace(key, std::move(value));
+}
+
+// As in the file that was read.
+std::size_t number_of_face(const Input_mesh& mesh, Face face)
+{
+  return mesh.face_in_file[face];
+}
+
+std::vector<double> mean_of_corners(const Mesh& mesh, Face face)
+{
+  std::vector<double> sum = {0, 0, 0};
+  for (const auto v : vertices_around_face(mesh.halfedge(face), mesh))
+    for (int c = 0; c < 3; ++c)
+      sum[std::size_t(c)] += mesh.point(v)[c] /
+                             mesh.degree(face); // divided first: large coordinates may not overflow
+  return sum;
+}
+
+Json describe(const Protrusion& protrusion, const Input_mesh& mesh)
+{
+  const auto& distances = protrusion.distance_histogram;
+  const auto& diameters = protrusion.sectional_diameter_histogram;
   Object object;
   object.add("segment", protrusion.segment)
-      .add("parent", protrusion.parent)
-      .add("tip", std::size_t(protrusion.tip))
-      .add_if(protrusion.border_slot != Protrusion::no_slot(), "border_slot", protrusion.border_slot)
-      .add("border_distance", protrusion.border_distance)
-      .add("value", protrusion.value)
-      .add("area", protrusion.area)
-      .add("border_length", protrusion.border_length)
-      .add("distance_histogram", protrusion.distance_histogram)
-      .add("sectional_diameter_histogram", protrusion.sectional_diameter_histogram);
+    .add("parent", protrusion.parent)
+    .add("tip", number_of_face(mesh, protrusion.tip))
+    .add("tip_point", mean_of_corners(mesh.mesh, protrusion.tip))
+    .add_if(protrusion.border_slot != Protrusion::no_slot(), "border_slot", protrusion.border_slot)
+    .add("border_distance", protrusion.border_distance)
+    .add("value", protrusion.value)
+    .add("area", protrusion.area)
+    .add("border_length", protrusion.border_length)
+    .add_if(!distances.empty(), "distance_histogram", distances)
+    .add_if(!diameters.empty(), "sectional_diameter_histogram", diameters);
   return object.take();
 }
 
-Json describe(const Stage_record& stage)
-{
-  return Object().add("stage", stage.name).add("seconds", stage.seconds).take();
-}
-
-template <typename Range>
-Json describe_all(const Range& range)
+Json describe_protrusions(const Findings& findings)
 {
   Json array = Json::array();
-  for (const auto& element : range)
-    array.push_back(describe(element));
+  for (const Protrusion& protrusion : findings.segmentation.record.protrusions())
+    array.push_back(describe(protrusion, findings.mesh));
   return array;
+}
+
+Json describe_stage(const std::string& name, double seconds)
+{
+  return Object().add("stage", name).add("seconds", seconds).take();
+}
+
+// Together they take as long as all does.
+Json describe_stages(const Findings& findings)
+{
+  Json array = Json::array({describe_stage("file", findings.seconds_for_file)});
+  double rest = findings.segmentation.seconds;
+  for (const Stage_record& stage : findings.segmentation.record.stages())
+  {
+    array.push_back(describe_stage(stage.name, stage.seconds));
+    rest -= stage.seconds;
+  }
+  array.push_back(describe_stage("rest", (std::max)(rest, 0.)));
+  return array;
+}
+
+// Faces of the file, duplicate and degenerate ones among them; the area counts duplicates once.
+Json describe_measures(const Findings& findings)
+{
+  const Input_mesh& input = findings.mesh;
+  const std::vector<std::size_t>& ids = findings.segmentation.segment_ids;
+  std::vector<std::size_t> faces(findings.segmentation.number_of_segments, 0);
+  std::vector<double> areas(faces.size(), 0);
+  for (const std::size_t segment : spread(ids, input))
+    ++faces[segment];
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    areas[ids[i]] += std::sqrt(
+      area_vector(input.soup.points, input.soup.polygons[input.face_in_file[i]]).squared_length());
+  Json array = Json::array();
+  for (std::size_t s = 0; s < faces.size(); ++s)
+    array.push_back(Object().add("segment", s).add("faces", faces[s]).add("area", areas[s]).take());
+  return array;
+}
+
+Json describe_surface(const Input_mesh& mesh)
+{
+  const Repairs& repairs = mesh.repairs;
+  Object object;
+  object.add("faces", mesh.face_in_file.size())
+    .add("components", repairs.components)
+    .add("specks", repairs.specks)
+    .add("degenerate_faces", repairs.degenerate_faces)
+    .add("duplicate_faces", repairs.duplicate_faces)
+    .add("non_manifold_edges", repairs.non_manifold_edges)
+    .add("reversed_faces", repairs.reversed_faces);
+  return object.take();
 }
 
 Json describe_subtree(std::size_t segment, const std::vector<std::vector<std::size_t>>& children)
@@ -99,37 +176,46 @@ Json describe_hierarchy(const Segmentation& segmentation)
 
 } // namespace
 
-Json describe(const Findings& findings)
+Json describe(const Segmentation_options& options)
 {
-  const Segmentation_options& options = findings.options;
-  const Segmentation& segmentation = findings.segmentation;
-  const Recorder& record = segmentation.record;
   Object object;
-  object.add("input", findings.input)
-      .add("faces", segmentation.segment_ids.size())
-      .add_if(options.number_of_segments.has_value(), "segments_requested",
-              options.number_of_segments.value_or(0))
-      .add("segments", segmentation.number_of_segments)
-      .add_if(!findings.note.empty(), "note", findings.note)
-      .add("method", options.method)
-      .add_if(!options.distance.empty(), "distance", options.distance) // none: the method's own
-      .add_if(options.distance == "landmark", "landmarks", options.landmarks)
-      .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
-      .add_if(options.distance == "diffusion", "time", options.time)
-      .add("seed", options.seed)
-      .add("seconds", segmentation.seconds)
-      .add("dijkstra_runs", record.number_of_runs())
-      .add("tips_eliminated", record.number_of_eliminated_tips())
-      .add("stages", describe_all(record.stages()))
-      .add("protrusions", describe_all(record.protrusions()))
-      .add("hierarchy", describe_hierarchy(segmentation));
+  object
+    .add_if(options.number_of_segments.has_value(), "segments_requested",
+            options.number_of_segments.value_or(0))
+    .add("method", options.method)
+    .add_if(!options.distance.empty(), "distance", options.distance) // none: the method's own
+    .add_if(options.distance == "landmark", "landmarks", options.landmarks)
+    .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
+    .add_if(options.distance == "diffusion", "diffusion_time", options.time)
+    .add("seed", options.seed);
   return object.take();
 }
 
-void write_json(std::ostream& out, const Findings& findings)
+Json describe(const Findings& findings)
+{
+  const Recorder& record = findings.segmentation.record;
+  Object object;
+  object.add("format_version", json_format_version)
+    .add("input", findings.input)
+    .add("faces", findings.mesh.label_giver.size())
+    .add("surface", describe_surface(findings.mesh))
+    .add_all(describe(findings.options))
+    .add("segments", findings.segmentation.number_of_segments)
+    .add_if(!findings.note.empty(), "note", findings.note)
+    .add("seconds", findings.seconds())
+    .add("stages", describe_stages(findings))
+    .add("dijkstra_runs", record.number_of_runs())
+    .add("tips_eliminated", record.number_of_eliminated_tips())
+    .add("measures", describe_measures(findings))
+    .add("protrusions", describe_protrusions(findings))
+    .add("hierarchy", describe_hierarchy(findings.segmentation));
+  return object.take();
+}
+
+void write_json(std::ostream& out, const nlohmann::ordered_json& json)
 {
   // A name that is no UTF-8 must not keep the rest from being written.
-  out << describe(findings).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
+  out << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }
 
 } // namespace tool

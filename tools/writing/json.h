@@ -14,10 +14,16 @@
 namespace tool
 {
 
+// Of what segmentation.schema.json describes. It grows when a key changes its meaning or goes.
+constexpr int json_format_version = 2;
+
 // What segment_by_protrusions found, for other programs.
 nlohmann::ordered_json describe(const Findings& findings);
 
-void write_json(std::ostream& out, const Findings& findings);
+// What was asked of it; with the same answer a second run would find the same.
+nlohmann::ordered_json describe(const Segmentation_options& options);
+
+void write_json(std::ostream& out, const nlohmann::ordered_json& json);
 
 } // namespace tool
 

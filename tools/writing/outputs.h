@@ -7,10 +7,10 @@
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_OUTPUTS_H
 #define PROTRUSION_SEGMENTATION_TOOLS_WRITING_OUTPUTS_H
 
-#include "reading/Mesh.h"
-#include "segmentation/Findings.h"
 #include "writing/Output_files.h"
+#include "writing/Segmented_soup.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -20,18 +20,19 @@ namespace tool
 // "name: description" of every format, chosen by the extension of a name.
 std::vector<std::string> output_formats();
 
-// Does the name have a "%d", for a file per segment?
+// Does the name have a "%d", or a "%03d", for a file per segment?
 bool is_pattern(const std::string& name);
 
 // Throws std::invalid_argument if no file can have this name: an unknown extension, or a "%d" where
 // there can be none.
 void check_output_name(const std::string& name);
 
-// `is_closed`: the parts of a name with a "%d" get caps where they were cut off.
+// One file for each part, in their order, of a name with a "%d".
+void add_parts(const std::string& pattern, const std::vector<Segmented_soup>& parts, Output_files& files);
+
 void add_output(const std::string& name,
-                const Mesh& mesh,
-                const Segmentation& segmentation,
-                bool is_closed,
+                const Segmented_soup& segmented,
+                std::size_t number_of_segments,
                 Output_files& files);
 
 } // namespace tool

@@ -15,7 +15,7 @@
 namespace tool
 {
 
-// The ball around the bounding box of a mesh.
+// The ball around the bounding box of points.
 struct Ball
 {
   std::array<double, 3> center = {0, 0, 0};
@@ -23,18 +23,16 @@ struct Ball
 };
 
 // Halves are added, so that coordinates near the largest number do not overflow.
-inline Ball bounding_ball(const Mesh& mesh)
+inline Ball bounding_ball(const std::vector<Point>& points)
 {
   Ball ball;
   std::array<double, 3> half_extents = {0, 0, 0};
   for (int c = 0; c < 3; ++c)
   {
-    const auto less = [&](const auto& v, const auto& w)
-    { return mesh.point(v)[c] < mesh.point(w)[c]; };
-    const auto all = vertices(mesh);
-    const auto [low, high] = std::minmax_element(all.begin(), all.end(), less);
-    ball.center[c] = mesh.point(*low)[c] / 2 + mesh.point(*high)[c] / 2;
-    half_extents[c] = mesh.point(*high)[c] / 2 - mesh.point(*low)[c] / 2;
+    const auto less = [&](const Point& p, const Point& q) { return p[c] < q[c]; };
+    const auto [low, high] = std::minmax_element(points.begin(), points.end(), less);
+    ball.center[c] = (*low)[c] / 2 + (*high)[c] / 2;
+    half_extents[c] = (*high)[c] / 2 - (*low)[c] / 2;
   }
   const double radius = std::hypot(half_extents[0], half_extents[1], half_extents[2]);
   if (radius > 0 && std::isfinite(radius))
@@ -42,15 +40,15 @@ inline Ball bounding_ball(const Mesh& mesh)
   return ball;
 }
 
-// The coordinates of all vertices, moved so that the ball becomes the unit ball. There single precision
+// The coordinates of all points, moved so that the ball becomes the unit ball. There single precision
 // is enough for a picture.
-inline std::vector<float> positions_in_unit_ball(const Mesh& mesh, const Ball& ball)
+inline std::vector<float> positions_in_unit_ball(const std::vector<Point>& points, const Ball& ball)
 {
   std::vector<float> result;
-  result.reserve(3 * mesh.number_of_vertices());
-  for (const auto v : vertices(mesh))
+  result.reserve(3 * points.size());
+  for (const Point& point : points)
     for (int c = 0; c < 3; ++c)
-      result.push_back(static_cast<float>((mesh.point(v)[c] - ball.center[c]) / ball.radius));
+      result.push_back(static_cast<float>((point[c] - ball.center[c]) / ball.radius));
   return result;
 }
 

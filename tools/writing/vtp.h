@@ -8,12 +8,13 @@
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_VTP_H
 #define PROTRUSION_SEGMENTATION_TOOLS_WRITING_VTP_H
 
-#include "reading/Mesh.h"
+#include "writing/Segmented_soup.h"
 #include "writing/palette.h"
 
 #include <cstddef>
 #include <ostream>
 #include <string>
+#include <vector>
 
 namespace tool
 {
@@ -27,57 +28,55 @@ void write_data_array(std::ostream& out, const std::string& attributes, const Wr
 }
 
 // A cell for each face, in their order, with the segment and its colour.
-template <typename SegmentMap>
-void write_cell_data(std::ostream& out, const Mesh& mesh, const SegmentMap& segments)
+inline void write_cell_data(std::ostream& out, const std::vector<std::size_t>& segments)
 {
   out << "<CellData Scalars=\"segment\">\n";
   write_data_array(out, "type=\"UInt32\" Name=\"segment\"", [&]() {
-    for (const Face f : faces(mesh))
-      out << segments[f] << "\n";
+    for (const std::size_t segment : segments)
+      out << segment << "\n";
   });
   write_data_array(out, "type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\"", [&]() {
-    for (const Face f : faces(mesh))
+    for (const std::size_t segment : segments)
     {
-      const CGAL::IO::Color color = segment_color(segments[f]);
+      const CGAL::IO::Color color = segment_color(segment);
       out << int(color.red()) << " " << int(color.green()) << " " << int(color.blue()) << "\n";
     }
   });
   out << "</CellData>\n";
 }
 
-inline void write_polygons(std::ostream& out, const Mesh& mesh)
+inline void write_polygons(std::ostream& out, const Polygon_soup& soup)
 {
   out << "<Points>\n";
   write_data_array(out, "type=\"Float64\" NumberOfComponents=\"3\"", [&]() {
-    for (const auto v : vertices(mesh))
-      out << mesh.point(v) << "\n";
+    for (const Point& point : soup.points)
+      out << point << "\n";
   });
   out << "</Points>\n<Polys>\n";
   write_data_array(out, "type=\"Int64\" Name=\"connectivity\"", [&]() {
-    for (const Face f : faces(mesh))
+    for (const Polygon& polygon : soup.polygons)
     {
-      for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
-        out << v.idx() << " ";
+      for (const std::size_t corner : polygon)
+        out << corner << " ";
       out << "\n";
     }
   });
   write_data_array(out, "type=\"Int64\" Name=\"offsets\"", [&]() {
     std::size_t end = 0;
-    for (const Face f : faces(mesh))
-      out << (end += mesh.degree(f)) << "\n";
+    for (const Polygon& polygon : soup.polygons)
+      out << (end += polygon.size()) << "\n";
   });
   out << "</Polys>\n";
 }
 
-template <typename SegmentMap>
-void write_VTP(std::ostream& out, const Mesh& mesh, const SegmentMap& segments)
+inline void write_VTP(std::ostream& out, const Segmented_soup& segmented)
 {
   out.precision(17); // a double is read as it was written
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
-      << "<Piece NumberOfPoints=\"" << mesh.number_of_vertices() << "\" NumberOfPolys=\""
-      << mesh.number_of_faces() << "\">\n";
-  write_cell_data(out, mesh, segments);
-  write_polygons(out, mesh);
+      << "<Piece NumberOfPoints=\"" << segmented.soup.points.size() << "\" NumberOfPolys=\""
+      << segmented.soup.polygons.size() << "\">\n";
+  write_cell_data(out, segmented.segments);
+  write_polygons(out, segmented.soup);
   out << "</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 

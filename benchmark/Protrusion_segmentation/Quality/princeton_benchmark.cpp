@@ -75,13 +75,11 @@ Model_result run_method(const Segmentation_method& method, const Model& model,
   return result;
 }
 
-Model_results run_model(const Benchmark_folder& folder, int number,
-                        const std::vector<Segmentation_method>& methods, const Options& options)
+Model_results run_model(const Model& model, const std::vector<Segmentation_method>& methods, const Options& options)
 {
-  const Model model = folder.read_model(number);
   const Model_evaluator evaluator(model);
   Model_results results;
-  results.model = number;
+  results.model = model.number;
   results.number_of_segments = model.number_of_segments;
   results.humans = evaluator.human_scores();
   results.typical_human = evaluator.most_typical_human();
@@ -112,7 +110,13 @@ public:
       thread.join();
     if(m_exception)
       std::rethrow_exception(m_exception);
-    return std::move(m_results);
+    std::vector<Model_results> results;
+    for(Model_results& of_model : m_results)
+      if(of_model.model != 0) // else it could not be read
+        results.push_back(std::move(of_model));
+    if(results.empty())
+      throw std::runtime_error("none of the models can be read");
+    return results;
   }
 
 private:
@@ -122,10 +126,10 @@ private:
     {
       for(std::size_t i; (i = m_next++) < m_models.size(); )
       {
-        m_results[i] = run_model(m_folder, m_models[i], m_methods, m_options);
+        const std::string problem = run_model(i);
         const std::lock_guard<std::mutex> lock(m_mutex);
         std::cerr << "model " << m_models[i] << " (" << ++m_number_done << " of "
-                  << m_models.size() << ")" << std::endl;
+                  << m_models.size() << ")" << problem << std::endl;
       }
     }
     catch(...)
@@ -134,6 +138,22 @@ private:
       m_exception = std::current_exception();
       m_next = m_models.size(); // the other threads stop as well
     }
+  }
+
+  // Why it is left out; empty if it is not.
+  std::string run_model(std::size_t i)
+  {
+    Model model;
+    try
+    {
+      model = m_folder.read_model(m_models[i]);
+    }
+    catch(const std::exception& error)
+    {
+      return std::string(" is left out: ") + error.what();
+    }
+    m_results[i] = ::run_model(model, m_methods, m_options);
+    return "";
   }
 
   const Benchmark_folder& m_folder;

@@ -27,30 +27,24 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationDistances
 
-The diffusion distance DD of Section III.B.1 of the paper: how differently two random walks are distributed
-after some time that start at the one and at the other face.
+The diffusion distance DD of Section III.B.1 of the paper: two random walks start at the two faces; the distance
+is how differently they are distributed after some time.
 
 The walk leaves a face over an edge with a weight of the edge's length divided by the distance of the two
 centroids, and stays with a weight of 50 times the area of the face, the mean area of all faces being 1. So
 it spreads as heat does, alike where faces are small and where they are large, whatever the scale of the
-mesh. Let <i>W</i> be the symmetric matrix of these weights, <i>D</i> the diagonal matrix of its row sums
-<i>d</i><sub><i>i</i></sub>, <i>P</i> = <i>D</i><sup>-1</sup><i>W</i>, and
-<i>p</i><sub><i>t</i></sub>(<i>i</i>, <i>z</i>) the entry of <i>P</i><sup><i>t</i></sup> in row <i>i</i> and
-column <i>z</i>. The squared distance after <i>t</i> steps is
+mesh. Let \f$W\f$ be the symmetric matrix of these weights, \f$D\f$ the diagonal matrix of its row sums
+\f$d_i\f$, \f$P = D^{-1} W\f$, and \f$p_t(i, z)\f$ the entry of \f$P^t\f$ in row \f$i\f$ and column \f$z\f$. The squared
+distance after \f$t\f$ steps is
 
-&sum;<sub><i>z</i></sub>
-(<i>p</i><sub><i>t</i></sub>(<i>i</i>, <i>z</i>) - <i>p</i><sub><i>t</i></sub>(<i>j</i>, <i>z</i>))<sup>2</sup>
-<i>w</i>(<i>z</i>)
-= &sum;<sub><i>k</i> &ge; 1</sub> &lambda;<sub><i>k</i></sub><sup>2<i>t</i></sup>
-(&psi;<sub><i>k</i></sub>(<i>i</i>) - &psi;<sub><i>k</i></sub>(<i>j</i>))<sup>2</sup>
+\f[ \sum_z (p_t(i, z) - p_t(j, z))^2 \, w(z) = \sum_{k \geq 1} \lambda_k^{2t} (\psi_k(i) - \psi_k(j))^2 \f]
 
-with <i>w</i>(<i>z</i>) = &sum;<sub><i>k</i></sub> <i>d</i><sub><i>k</i></sub> / <i>d</i><sub><i>z</i></sub>, the
-inverse of the walk's stationary distribution. Here &psi;<sub><i>k</i></sub> are the right eigenvectors of
-<i>P</i>, with a mean square of 1 under the stationary distribution; the trivial one,
-&psi;<sub>0</sub> = 1, is left out. The first few terms of the right sum make up the distance. All terms of an
-eigenvalue are taken or none, since single eigenvectors of a multiple eigenvalue are not determined.
+with \f$w(z) = \sum_k d_k / d_z\f$, the inverse of the walk's stationary distribution. Here \f$\psi_k\f$ are the right
+eigenvectors of \f$P\f$, with a mean square of 1 under the stationary distribution; the trivial one, \f$\psi_0 = 1\f$, is
+left out. The first few terms of the right sum make up the distance. All terms of an eigenvalue are taken or none, since
+single eigenvectors of a multiple eigenvalue are not determined.
 
-The number of steps is measured by the time in which the slowest term decays, 1 / ln(1 / &lambda;<sub>1</sub>)
+The number of steps is measured by the time in which the slowest term decays, \f$1 / \ln(1 / \lambda_1)\f$
 steps, since a number that fits a mesh is far too small for the same shape with more faces.
 
 Preparing the distances on a surface costs one sparse factorization and some dozen solutions with it, about linear
@@ -125,9 +119,9 @@ public:
   /// .28 at time 0, .22 at 0.3, .19 at 0.45 and 0.6, .24 at 1
   static constexpr double default_time() { return 0.5; }
 
-  /// `number_of_eigenpairs` terms after `time` relaxation times of the random walk: <i>t</i> = `time` /
-  /// ln(1 / &lambda;<sub>1</sub>) steps. At time 0 all terms have the same weight; with time the
-  /// distance approaches a multiple of the difference in &psi;<sub>1</sub>.
+  /// `number_of_eigenpairs` terms after `time` relaxation times of the random walk: \f$t\f$ = `time` /
+  /// \f$\ln(1 / \lambda_1)\f$ steps. At time 0 all terms have the same weight; with time the
+  /// distance approaches a multiple of the difference in \f$\psi_1\f$.
   /// \param number_of_eigenpairs the number of terms, from 1 to `maximum_number_of_eigenpairs()`
   /// \param time 0 or above
   /// \throw std::invalid_argument if `number_of_eigenpairs` is out of range, or `time` is negative or not finite

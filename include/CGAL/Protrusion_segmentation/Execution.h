@@ -17,8 +17,8 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-How a call of a function of this package is executed: what a model of `ProtrusionDistance` is told by it.
-One object serves all of a call.
+What a model of `ProtrusionDistance` may know of the call of the package that uses it: the random seed, whether to use
+several threads, and whether to go on. One object serves a whole call.
 */
 class Execution
 {
@@ -37,8 +37,8 @@ public:
   /// \return whether several threads may be used, by oneTBB
   bool is_parallel() const { return m_is_parallel; }
 
-  /// is to be called several times a second, from any thread: it ends the call by an exception of no
-  /// documented type, which must be let through, if the visitor wants so.
+  /// asks the visitor whether to go on. To be called several times a second, from any thread. If the visitor stops the
+  /// call of the package, an exception of no documented type is thrown, which must be let through.
   void check()
   {
     if (!is_own_thread()) // visitors are asked from the thread of the call only
@@ -53,7 +53,7 @@ public:
     }
   }
 
-  /// tells how far the work is that was begun last, such as the preparation of a distance. Then `check()`.
+  /// tells how much is done of the work that was begun last, such as the preparation of a distance, and calls `check()`.
   /// \param share from 0 to 1
   void progress(double share)
   {

@@ -33,11 +33,11 @@ sectional-diameter histogram. The border lies where the diameter grows most, if 
 changes there too. Tips without such a border are dropped. As long as there are too few segments, tips are
 selected anew in the segment of largest area.
 
-The side of the tip is the protrusion. From given tips, a border lies no farther than the nearest other tip;
-where fewer than six tips are given on a connected component, further ones of eq. (2) count for that, but make no
-segments.
+The side of the tip is the protrusion. From given tips, a border lies no farther than the nearest other tip. Where
+fewer than six tips are given on a connected component, further ones are selected by eq. (2). They limit the protrusions
+of the given tips and get no segments of their own.
 
-Complexity: for every segment that is looked into, the tips' distance computations, and for every tip 100 plane
+Complexity: for every segment that is searched, the tips' distance computations, and for every tip 100 plane
 sections, each linear in the number of faces that it cuts.
 */
 class Histogram_method

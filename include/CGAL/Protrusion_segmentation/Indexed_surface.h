@@ -36,7 +36,7 @@ for every edge that two different faces share. The length of an arc is the dista
 centroids of the two faces.
 
 The coordinates are those of the input mesh, moved and scaled by a power of two so that the whole
-surface fits into [-1, 1]<sup>3</sup>: neither tiny nor huge coordinates can under- or overflow.
+surface fits into \f$[-1, 1]^3\f$: neither tiny nor huge coordinates can under- or overflow.
 
 The memory is about 70 bytes per triangle.
 */
@@ -115,7 +115,7 @@ public:
     return std::sqrt(squared_distance(point(vertex(corner)), point(vertex(next_corner(face, corner)))));
   }
 
-  /// \return the centre of gravity of a face
+  /// \return the center of gravity of a face
   /// \param face below `number_of_faces()`
   const Point_3& centroid(Index face) const { return m_centroids[face]; }
   /// \return the area of a face

@@ -30,13 +30,15 @@ around a candidate is better, it takes its place. The value of a cut is estimate
 lies in a concave seam, its length, how suddenly the surface widens behind it, how round it is and others, and from
 the areas on both sides. The cuts are chosen together: the three best sets of cuts are kept while segments are added,
 each tried with its four best further cuts, and the set with the largest sum of values wins. Without a number of
-segments, it is the one with the largest sum of what the values exceed the least evident value by. In the end, the
-borders between all neighbouring segments become minimum cuts once more, on the faces.
+segments, a least evident value is subtracted from each value, so that only evident cuts are made. In the end, the
+borders between all neighboring segments become minimum cuts once more, on the faces.
 
 Every connected component is judged by itself, in its own unit of length; with a number of segments given, each
-further segment goes to the component where it brings most. From given tips, each cuts off the protrusion with the best
-border that has this tip, no other one, and no more than half of the component's area; where fewer than six tips are
-given on a component, further ones, as far as can be from all others, count for that, but make no segments.
+further segment goes to the component where it brings most.
+
+From given tips, each cuts off the protrusion with the best border that has this tip, no other one, and no more than
+half of the component's area. Where fewer than six tips are given on a component, further ones are selected as far as
+possible from all others. They limit the protrusions of the given tips and get no segments of their own.
 
 Cuts are searched on a coarse graph of some two thousand nodes, so that the time for a cut hardly depends on
 the number of faces. By default tips and level sets are those of a distance that the method measures on that graph,
@@ -44,8 +46,11 @@ where ways across concave seams are longer than they are on the surface. With a 
 of the distance on the faces. Segments of less than 0.25 % of the area of a component are not cut off: with a large
 number of segments there may be fewer than asked for.
 
-Complexity: normals are averaged by some dozen passes over the faces, the more the finer the mesh; then coarsening
-and every border take linear time.
+With `CGAL::Parallel_tag`, segments are searched for cuts by several threads, if the distance is the method's own; the
+labels are the same.
+
+Complexity: linear in the number of faces. Normals are averaged on groups of faces where these are small, and of all that
+is searched on the coarse graph, the time does not depend on the number of faces.
 */
 class Minimum_cut_method
 {

@@ -26,7 +26,9 @@ number of segments.
 
 The bodies of the connected components have the first numbers, one each. The other segments are protrusions, in the
 order in which their borders were chosen; each sticks out of its parent. The segmentation with one segment less is
-found by giving the last segment to its parent, and what sticks out of it as well. An object of this class is made by `CGAL::protrusion_hierarchy()` and keeps no reference to the mesh.
+found by joining the last segment to its parent; what stuck out of it then sticks out of the parent.
+
+An object of this class is made by `CGAL::protrusion_hierarchy()` and keeps no reference to the mesh.
 */
 class Segment_hierarchy
 {

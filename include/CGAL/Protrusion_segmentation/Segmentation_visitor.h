@@ -17,8 +17,8 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-What is told of the progress and of the findings of a segmentation, and may stop it. This class listens to
-nothing and never stops. A visitor derives from it and overrides some of its functions; with `override`, a
+The base of visitors, which are told of the progress and of the findings of a segmentation, and may stop it. This class
+does nothing and never stops. A visitor derives from it and overrides some of its functions; with `override`, a
 misspelt function is an error at compile time.
 
 A visitor is passed as the named parameter `visitor`. It is copied unless it is passed by `std::ref()`. All
@@ -82,7 +82,8 @@ public:
   /// is called for each protrusion tip that is selected, which need not become a segment.
   /// \param face the face at the tip
   virtual void on_tip([[maybe_unused]] face_descriptor face) {}
-  /// is called for each face that would be a tip but for where it lies, at the border of a segment cut off before.
+  /// is called for each face that is farthest from the tips but does not become one, because it lies on the border of a
+  /// segment that was cut off before.
   /// \param face the face
   virtual void on_eliminated_tip([[maybe_unused]] face_descriptor face) {}
   /// is called for each protrusion that is cut off.

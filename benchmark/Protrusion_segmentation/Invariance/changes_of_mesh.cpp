@@ -1,0 +1,254 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "changes_of_mesh.h"
+
+#include <CGAL/AABB_face_graph_triangle_primitive.h>
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Polygon_mesh_processing/bbox.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/remesh.h>
+#include <CGAL/Surface_mesh_simplification/edge_collapse.h>
+#include <CGAL/centroid.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <random>
+#include <utility>
+
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+namespace SMS = CGAL::Surface_mesh_simplification;
+
+// Adds the faces of `mesh`, with points moved by `move`, in the order of `faces`.
+template <typename Move>
+void add_copy(const Mesh& mesh, const std::vector<Face>& faces, std::size_t copy, Move move, Changed_mesh& result)
+{
+  std::map<Vertex, Vertex> vertices;
+  for (const Face f : faces)
+  {
+    std::vector<Vertex> corners;
+    for (const Vertex v : vertices_around_face(mesh.halfedge(f), mesh))
+    {
+      const auto [found, is_new] = vertices.emplace(v, Vertex());
+      if (is_new)
+        found->second = result.mesh.add_vertex(move(mesh.point(v)));
+      corners.push_back(found->second);
+    }
+    result.mesh.add_face(corners);
+    result.origins.push_back(f);
+    result.copies.push_back(copy);
+  }
+}
+
+std::vector<Face> faces_in_order(const Mesh& mesh)
+{
+  return {mesh.faces().begin(), mesh.faces().end()};
+}
+
+template <typename Move>
+Changed_mesh moved(const Mesh& mesh, Move move)
+{
+  Changed_mesh result;
+  add_copy(mesh, faces_in_order(mesh), 0, move, result);
+  return result;
+}
+
+double size_of(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  return std::sqrt(CGAL::squared_distance(Point(box.xmin(), box.ymin(), box.zmin()),
+                                          Point(box.xmax(), box.ymax(), box.zmax())));
+}
+
+double mean_edge_length(const Mesh& mesh)
+{
+  double sum = 0;
+  for (const auto e : mesh.edges())
+    sum += PMP::edge_length(mesh.halfedge(e), mesh);
+  return sum / double(mesh.number_of_edges());
+}
+
+// Every coordinate of every vertex moves by up to `distance`.
+Changed_mesh jittered(const Mesh& mesh, double distance)
+{
+  std::mt19937 generator(1);
+  std::vector<Vector> steps(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
+  const auto step = [&]() { return distance * (double(generator()) / double(generator.max()) * 2 - 1); };
+  Mesh other = mesh;
+  for (const Vertex v : other.vertices())
+  {
+    const double x = step(), y = step(), z = step();
+    other.point(v) += Vector(x, y, z);
+  }
+  return moved(other, [](const Point& p) { return p; });
+}
+
+Changed_mesh permuted(const Mesh& mesh)
+{
+  std::vector<Face> order = faces_in_order(mesh);
+  std::shuffle(order.begin(), order.end(), std::mt19937(1));
+  Changed_mesh result;
+  add_copy(mesh, order, 0, [](const Point& p) { return p; }, result);
+  return result;
+}
+
+Changed_mesh mirrored(const Mesh& mesh)
+{
+  Mesh other = mesh;
+  for (const Vertex v : other.vertices())
+    other.point(v) = Point(-mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+  PMP::reverse_face_orientations(other);
+  return moved(other, [](const Point& p) { return p; });
+}
+
+Changed_mesh split_at_midpoints(const Changed_mesh& input)
+{
+  const Mesh& mesh = input.mesh;
+  Changed_mesh result;
+  std::vector<Vertex> midpoint(mesh.number_of_edges());
+  for (const Vertex v : mesh.vertices())
+    result.mesh.add_vertex(mesh.point(v)); // has the same number
+  for (const auto e : mesh.edges())
+    midpoint[e] = result.mesh.add_vertex(CGAL::midpoint(mesh.point(mesh.vertex(e, 0)), mesh.point(mesh.vertex(e, 1))));
+  for (const Face f : mesh.faces())
+  {
+    std::vector<Vertex> centre;
+    for (const auto h : halfedges_around_face(mesh.halfedge(f), mesh))
+    {
+      centre.push_back(midpoint[mesh.edge(h)]);
+      result.mesh.add_face(midpoint[mesh.edge(h)], mesh.target(h), midpoint[mesh.edge(mesh.next(h))]);
+    }
+    result.mesh.add_face(centre);
+    for (std::size_t i = 0; i <= centre.size(); ++i)
+    {
+      result.origins.push_back(input.origins[f]);
+      result.copies.push_back(input.copies[f]);
+    }
+  }
+  return result;
+}
+
+// Faces of another mesh come from the nearest face.
+Changed_mesh with_nearest_origins(Mesh other, const Mesh& mesh)
+{
+  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
+  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+  const Tree tree(faces(mesh).begin(), faces(mesh).end(), mesh);
+  Changed_mesh result;
+  for (const Face f : other.faces())
+  {
+    std::vector<Point> corners;
+    for (const Vertex v : vertices_around_face(other.halfedge(f), other))
+      corners.push_back(other.point(v));
+    result.origins.push_back(tree.closest_point_and_primitive(CGAL::centroid(corners.begin(), corners.end())).second);
+    result.copies.push_back(0);
+  }
+  result.mesh = std::move(other);
+  return result;
+}
+
+Changed_mesh decimated(const Mesh& mesh, double share)
+{
+  Mesh other = mesh;
+  SMS::edge_collapse(other, [share](double, const auto&, std::size_t initial, std::size_t current)
+                     { return double(current) < share * double(initial); });
+  other.collect_garbage();
+  return with_nearest_origins(std::move(other), mesh);
+}
+
+Changed_mesh remeshed(const Mesh& mesh)
+{
+  Mesh other = mesh;
+  const double face_area = PMP::area(mesh) / double(mesh.number_of_faces());
+  PMP::isotropic_remeshing(faces(other), std::sqrt(4 / std::sqrt(3.) * face_area), other,
+                           CGAL::parameters::number_of_iterations(3));
+  other.collect_garbage();
+  return with_nearest_origins(std::move(other), mesh);
+}
+
+Changed_mesh three_copies(const Mesh& mesh)
+{
+  const double distance = 2 * size_of(mesh);
+  Changed_mesh result;
+  for (std::size_t copy = 0; copy < 3; ++copy)
+    add_copy(mesh, faces_in_order(mesh), copy,
+             [&](const Point& p) { return p + double(copy) * Vector(distance, 0, 0); }, result);
+  return result;
+}
+
+// A square of twenty by twenty quads below the mesh, three times its size.
+Changed_mesh on_a_floor(const Mesh& mesh)
+{
+  constexpr std::size_t quads = 20;
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  const double side = 3 * size_of(mesh);
+  Changed_mesh result = moved(mesh, [](const Point& p) { return p; });
+  std::vector<Vertex> vertices;
+  for (std::size_t i = 0; i <= quads; ++i)
+    for (std::size_t j = 0; j <= quads; ++j)
+      vertices.push_back(result.mesh.add_vertex(Point(box.xmin() + side * (double(i) / quads - 0.5),
+                                                      box.ymin() + side * (double(j) / quads - 0.5),
+                                                      box.zmin() - 0.01 * side)));
+  const auto vertex = [&](std::size_t i, std::size_t j) { return vertices[i * (quads + 1) + j]; };
+  for (std::size_t i = 0; i < quads; ++i)
+    for (std::size_t j = 0; j < quads; ++j)
+    {
+      result.mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
+      result.mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
+    }
+  result.origins.resize(result.mesh.number_of_faces(), no_origin);
+  result.copies.resize(result.mesh.number_of_faces(), 0);
+  return result;
+}
+
+Changed_mesh without_a_face(const Mesh& mesh)
+{
+  std::vector<Face> order = faces_in_order(mesh);
+  order.erase(order.begin() + std::ptrdiff_t(order.size() / 2));
+  Changed_mesh result;
+  add_copy(mesh, order, 0, [](const Point& p) { return p; }, result);
+  return result;
+}
+
+Point rotated(const Point& p)
+{
+  constexpr double c = 0.8, s = 0.6; // a rotation about z, then one about x
+  const double x = c * p.x() - s * p.y(), y = s * p.x() + c * p.y();
+  return Point(x, c * y - s * p.z(), s * y + c * p.z());
+}
+
+Change_of_mesh scaled(const std::string& name, double factor)
+{
+  return {name, [factor](const Mesh& mesh)
+          { return moved(mesh, [factor](const Point& p) { return CGAL::ORIGIN + factor * (p - CGAL::ORIGIN); }); }};
+}
+
+} // namespace
+
+std::vector<Change_of_mesh> all_changes_of_mesh()
+{
+  const auto split = [](const Mesh& mesh) { return split_at_midpoints(moved(mesh, [](const Point& p) { return p; })); };
+  return {{"faces and vertices permuted", permuted},
+          {"rotated", [](const Mesh& mesh) { return moved(mesh, rotated); }},
+          {"mirrored", mirrored},
+          scaled("a thousandth of the size", 1e-3),
+          scaled("a thousand times the size", 1e3),
+          {"three copies", three_copies, [](std::size_t n) { return 3 * n; }},
+          {"on a floor", on_a_floor, [](std::size_t n) { return n + 1; }},
+          {"without one face", without_a_face},
+          {"vertices moved by 1 % of an edge", [](const Mesh& mesh) { return jittered(mesh, 0.01 * mean_edge_length(mesh)); }},
+          {"noise of 0.1 % of the size", [](const Mesh& mesh) { return jittered(mesh, 0.001 * size_of(mesh)); }},
+          {"split at midpoints", split},
+          {"split twice", [split](const Mesh& mesh) { return split_at_midpoints(split(mesh)); }},
+          {"decimated to a half", [](const Mesh& mesh) { return decimated(mesh, 0.5); }},
+          {"decimated to a quarter", [](const Mesh& mesh) { return decimated(mesh, 0.25); }},
+          {"remeshed, same number of faces", remeshed}};
+}

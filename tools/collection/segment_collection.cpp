@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "collection/segment_collection.h"
+
+#include "collection/list_meshes.h"
+#include "command_line/Error.h"
+#include "command_line/Progress_bar.h"
+#include "reading/read_soup.h"
+#include "segmentation/segment_file.h"
+#include "writing/json.h"
+#include "writing/write_output.h"
+
+#include <nlohmann/json.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <mutex>
+#include <new>
+#include <set>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace tool
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+// What is told while several threads work.
+class Teller
+{
+public:
+  Teller(std::size_t number_of_meshes, bool is_quiet)
+    : m_number_of_meshes(number_of_meshes),
+      m_is_quiet(is_quiet),
+      m_bar(!is_quiet && is_standard_error_a_terminal())
+  {}
+
+  // One mesh is done, and this is its line.
+  void tell(const std::string& line, bool is_error)
+  {
+    const std::lock_guard<std::mutex> lock(m_mutex);
+    ++m_number_of_told;
+    m_bar.clear();
+    const std::string place = "[" + std::to_string(m_number_of_told) + "/" +
+                              std::to_string(m_number_of_meshes) + "] ";
+    if (is_error)
+      std::cerr << place << line << std::endl;
+    else if (!m_is_quiet)
+      std::cout << place << line << std::endl;
+    m_bar.show(double(m_number_of_told) / double(m_number_of_meshes), place);
+  }
+
+private:
+  std::mutex m_mutex;
+  std::size_t m_number_of_meshes;
+  std::size_t m_number_of_told = 0;
+  bool m_is_quiet;
+  Progress_bar m_bar;
+};
+
+class Collection
+{
+public:
+  explicit Collection(const Command_line& command_line)
+    : m_command_line(command_line),
+      m_meshes(list_meshes(command_line.inputs, command_line.output_folder)),
+      m_teller(m_meshes.size(), command_line.is_quiet)
+  {
+    check_outputs();
+    for (const Mesh_in_collection& mesh : m_meshes)
+      make_folder(path(mesh, "json").parent_path());
+  }
+
+  void segment_all()
+  {
+    std::vector<std::thread> workers;
+    for (std::size_t i = 0; i < (std::min)(m_command_line.jobs, m_meshes.size()); ++i)
+      workers.emplace_back([this]() { work(); });
+    for (std::thread& worker : workers)
+      worker.join();
+  }
+
+  std::size_t number_of_failures() const { return m_number_of_failures; }
+
+  std::string result() const
+  {
+    const std::size_t all = m_meshes.size(), failed = m_number_of_failures, skipped = m_number_of_skipped;
+    return std::to_string(all) + " meshes: " + std::to_string(all - failed - skipped) + " segmented, " +
+           std::to_string(skipped) + " already there, " + std::to_string(failed) + " failed";
+  }
+
+private:
+  // None of them may take the place of a mesh, or be taken for one the next time.
+  void check_outputs() const
+  {
+    std::error_code ignored;
+    std::set<fs::path> folders;
+    for (const Mesh_in_collection& mesh : m_meshes)
+      folders.insert(fs::weakly_canonical(mesh.input, ignored).parent_path());
+    for (const std::string& format : m_command_line.formats)
+      for (const Mesh_in_collection& mesh : m_meshes)
+        if (const fs::path output = path(mesh, format);
+            has_mesh_extension(output.string()) &&
+            folders.count(fs::weakly_canonical(output, ignored).parent_path()) > 0)
+          throw Error(output.string(), "would be a mesh among those to be segmented; another --output-folder is needed");
+  }
+
+  static void make_folder(const fs::path& folder)
+  {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+      throw Error(folder.string(), "cannot be made: " + error.message());
+  }
+
+  void work()
+  {
+    for (std::size_t i = m_next++; i < m_meshes.size(); i = m_next++)
+      segment(m_meshes[i]);
+  }
+
+  fs::path path(const Mesh_in_collection& mesh, const std::string& extension) const
+  {
+    return fs::path(m_command_line.output_folder) / (mesh.name + "." + extension);
+  }
+
+  // No exception leaves it.
+  void segment(const Mesh_in_collection& mesh)
+  {
+    try
+    {
+      if (!m_command_line.is_everything_done_again && is_done(mesh))
+      {
+        ++m_number_of_skipped;
+        return m_teller.tell(mesh.input + ": already there", false);
+      }
+      const Findings findings = segment_file(mesh.input, m_command_line.options, {},
+                                             [](const std::string&) {});
+      Output_names names;
+      for (const std::string& format : m_command_line.formats)
+        names.segments.push_back(path(mesh, format).string());
+      names.json = path(mesh, "json").string();
+      write_findings(findings, names);
+      m_teller.tell(mesh.input + ": " + summary(findings) +
+                      (findings.note.empty() ? "" : " (" + findings.note + ")"),
+                    false);
+    }
+    catch (const std::bad_alloc&)
+    {
+      fail(mesh, mesh.input + ": out of memory");
+    }
+    catch (const std::exception& error)
+    {
+      fail(mesh, error.what());
+    }
+  }
+
+  // Was it segmented with the same options after the mesh was written? The record is the last of its files that appears.
+  bool is_done(const Mesh_in_collection& mesh) const
+  {
+    std::error_code error;
+    const auto written = fs::last_write_time(path(mesh, "json"), error);
+    if (error || fs::last_write_time(mesh.input, error) > written || error)
+      return false;
+    for (const std::string& format : m_command_line.formats)
+      if (!fs::exists(path(mesh, format), error))
+        return false;
+    std::ifstream in(path(mesh, "json"));
+    const Json record = Json::parse(in, nullptr, false);
+    if (!record.is_object() || record.value("format_version", 0) != json_format_version ||
+        record.contains("error"))
+      return false;
+    const Json options = describe(m_command_line.options);
+    for (const auto& [key, value] : options.items())
+      if (!record.contains(key) || record[key] != value)
+        return false;
+    return true;
+  }
+
+  // The record says so, too; then it is tried again the next time.
+  void fail(const Mesh_in_collection& mesh, const std::string& message)
+  {
+    ++m_number_of_failures;
+    std::string line = message;
+    try
+    {
+      const Json record = {
+        {"format_version", json_format_version}, {"input", mesh.input}, {"error", message}};
+      write_output(path(mesh, "json").string(), [&](std::ostream& out) { write_json(out, record); });
+    }
+    catch (const std::exception& error)
+    {
+      line += std::string("; ") + error.what();
+    }
+    m_teller.tell(line, true);
+  }
+
+  const Command_line& m_command_line;
+  std::vector<Mesh_in_collection> m_meshes;
+  Teller m_teller;
+  std::atomic<std::size_t> m_next{0};
+  std::atomic<std::size_t> m_number_of_failures{0};
+  std::atomic<std::size_t> m_number_of_skipped{0};
+};
+
+} // namespace
+
+void segment_collection(const Command_line& command_line)
+{
+  Collection collection(command_line);
+  collection.segment_all();
+  if (collection.number_of_failures() > 0)
+    throw Error(command_line.output_folder, collection.result());
+  if (!command_line.is_quiet)
+    std::cout << collection.result() << "\n";
+  finish_standard_output();
+}
+
+} // namespace tool

@@ -1,0 +1,232 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// CGAL's reader of PLY takes counts on trust, crashes on a property without element, takes the bytes of an unknown
+// type for others, and knows no triangle strips. To guard it, a file had to be walked through to its end; this takes the
+// vertices and faces along, and needs no second reader.
+
+#include "reading/formats.h"
+
+#include "reading/Format_error.h"
+#include "reading/Lines.h"
+#include "reading/PLY_header.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace tool
+{
+namespace
+{
+
+using namespace PLY;
+
+// The numbers behind the header, one after the other.
+class Numbers
+{
+public:
+  Numbers(const std::string& bytes, std::size_t begin, std::size_t line, Encoding encoding)
+    : m_bytes(bytes),
+      m_position(begin),
+      m_begin(begin),
+      m_line(line),
+      m_encoding(encoding)
+  {}
+
+  double take(const Type& type) { return m_encoding == Encoding::text ? take_word() : take_binary(type); }
+
+  // A number of values in a list. Each takes a byte at least.
+  std::size_t take_count(const Type& type)
+  {
+    const double count = take(type);
+    if (!(count >= 0 && count <= double(m_bytes.size() - m_position)))
+      fail("a list announces more than the file can hold");
+    return static_cast<std::size_t>(count);
+  }
+
+  std::size_t take_index(const Type& type)
+  {
+    const double index = take(type);
+    if (!(index >= 0 && index < 4294967296. && index == double(std::size_t(index))))
+      fail("a face names vertex " + std::to_string(index));
+    return static_cast<std::size_t>(index);
+  }
+
+  [[noreturn]] void fail(const std::string& cause) const
+  {
+    if (m_encoding != Encoding::text)
+      throw Format_error("byte " + std::to_string(m_position) + ": " + cause);
+    const auto begin = m_bytes.begin() + std::ptrdiff_t(m_begin);
+    const auto end = m_bytes.begin() + std::ptrdiff_t(m_position);
+    throw Format_error(m_line + 1 + std::size_t(std::count(begin, end, '\n')), cause);
+  }
+
+private:
+  double take_word()
+  {
+    constexpr const char* separators = " \t\v\f\r\n";
+    const std::size_t begin = m_bytes.find_first_not_of(separators, m_position);
+    if (begin == std::string::npos)
+      throw Format_error("ends too early");
+    m_position = (std::min)(m_bytes.find_first_of(separators, begin), m_bytes.size());
+    const std::string_view word(m_bytes.data() + begin, m_position - begin);
+    const auto value = number<double>(word);
+    if (!value)
+      fail(quote(word) + " is no number");
+    return *value;
+  }
+
+  double take_binary(const Type& type)
+  {
+    if (m_bytes.size() - m_position < type.size)
+      throw Format_error("ends too early");
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < type.size; ++i)
+    {
+      const std::size_t place = m_encoding == Encoding::largest_byte_first ? i : type.size - 1 - i;
+      bits = bits << 8 | static_cast<unsigned char>(m_bytes[m_position + place]);
+    }
+    m_position += type.size;
+    if (type.kind == 'u')
+      return double(bits);
+    if (type.kind == 'i')
+    {
+      const std::uint64_t sign = std::uint64_t(1) << (8 * type.size - 1);
+      return double(bits) - ((bits & sign) != 0 ? 2 * double(sign) : 0);
+    }
+    return type.size == 4 ? as<float>(std::uint32_t(bits)) : as<double>(bits);
+  }
+
+  template <typename Float, typename Bits>
+  static double as(Bits bits)
+  {
+    static_assert(sizeof(Float) == sizeof(Bits));
+    Float value;
+    std::memcpy(&value, &bits, sizeof(value));
+    return value;
+  }
+
+  const std::string& m_bytes;
+  std::size_t m_position;
+  std::size_t m_begin;
+  std::size_t m_line; // that of the header's end
+  Encoding m_encoding;
+};
+
+class PLY_reader
+{
+public:
+  explicit PLY_reader(const std::string& bytes) : m_lines(bytes), m_header(m_lines)
+  {
+    Numbers numbers(bytes, bytes.size() - m_lines.rest().size(), m_lines.line_number(), m_header.encoding);
+    for (const Element& element : m_header.elements)
+      read(element, numbers);
+    if (m_soup.polygons.empty())
+      throw Format_error(has("range_grid") ? "is a range grid, the depths that a scanner saw, without faces"
+                                           : "has no faces");
+  }
+
+  const Polygon_soup& soup() const { return m_soup; }
+
+private:
+  bool has(const std::string& name) const
+  {
+    return std::any_of(m_header.elements.begin(), m_header.elements.end(),
+                       [&](const Element& element) { return element.name == name; });
+  }
+
+  void read(const Element& element, Numbers& numbers)
+  {
+    if (element.properties.empty())
+      return;
+    if (element.name == "vertex")
+      check_coordinates(element);
+    for (std::size_t i = 0; i < element.count; ++i)
+    {
+      std::array<double, 3> point = {0, 0, 0};
+      for (const Property& property : element.properties)
+        read(element, property, numbers, point);
+      if (element.name == "vertex")
+        m_soup.points.emplace_back(point[0], point[1], point[2]);
+    }
+  }
+
+  static void check_coordinates(const Element& vertex)
+  {
+    for (const std::string coordinate : {"x", "y", "z"})
+      if (std::none_of(vertex.properties.begin(), vertex.properties.end(),
+                       [&](const Property& property)
+                       { return property.name == coordinate && !property.count_type; }))
+        throw Format_error("its vertices have no property " + coordinate);
+  }
+
+  void read(const Element& element, const Property& property, Numbers& numbers, std::array<double, 3>& point)
+  {
+    const bool is_coordinate = property.name.size() == 1 && property.name[0] >= 'x' &&
+                               property.name[0] <= 'z';
+    const bool is_corners = property.name == "vertex_indices" || property.name == "vertex_index";
+    if (!property.count_type)
+    {
+      const double value = numbers.take(property.type);
+      if (is_coordinate)
+        point[std::size_t(property.name[0] - 'x')] = value;
+    }
+    else if (is_corners && element.name == "face")
+      read_face(property, numbers);
+    else if (is_corners && element.name == "tristrips")
+      read_strips(property, numbers);
+    else
+      for (std::size_t left = numbers.take_count(*property.count_type); left > 0; --left)
+        numbers.take(property.type);
+  }
+
+  void read_face(const Property& property, Numbers& numbers)
+  {
+    Polygon face;
+    for (std::size_t left = numbers.take_count(*property.count_type); left > 0; --left)
+      face.push_back(numbers.take_index(property.type));
+    m_soup.polygons.push_back(face);
+  }
+
+  // Each vertex makes a triangle with the two before it, every other one turned over; -1 begins a new strip.
+  void read_strips(const Property& property, Numbers& numbers)
+  {
+    Polygon strip;
+    for (std::size_t left = numbers.take_count(*property.count_type); left > 0; --left)
+    {
+      const double value = numbers.take(property.type);
+      if (value == -1)
+      {
+        strip.clear();
+        continue;
+      }
+      if (!(value >= 0 && value < 4294967296.))
+        numbers.fail("a strip names vertex " + std::to_string(value));
+      strip.push_back(static_cast<std::size_t>(value));
+      const std::size_t n = strip.size();
+      if (n >= 3)
+        m_soup.polygons.push_back(n % 2 == 1 ? Polygon{strip[n - 3], strip[n - 2], strip[n - 1]}
+                                             : Polygon{strip[n - 2], strip[n - 3], strip[n - 1]});
+    }
+  }
+
+  Lines m_lines;
+  Header m_header;
+  Polygon_soup m_soup;
+};
+
+} // namespace
+
+Polygon_soup read_PLY(const std::string& bytes)
+{
+  return PLY_reader(bytes).soup();
+}
+
+} // namespace tool

@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// From a file to what is found in it, and from that to files.
+
+#ifndef PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_SEGMENT_FILE_H
+#define PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_SEGMENT_FILE_H
+
+#include "segmentation/Findings.h"
+#include "segmentation/Recorder.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tool
+{
+
+using Warn = std::function<void(const std::string&)>;
+
+// Throws an `Error` for a file that cannot be read, or has too few faces. `warn` is called before what may take long.
+Findings segment_file(const std::string& input, const Segmentation_options& options,
+                      const Recorder::Progress& progress, const Warn& warn);
+
+struct Output_names
+{
+  std::vector<std::string> segments;
+  std::string report; // empty: none
+  std::string json;   // empty: none
+  bool are_parts_closed = false; // of names with a number for each segment
+};
+
+// Throws an `Error` if one of them cannot be written. Good to know before a long computation.
+void check_can_be_written(const Output_names& names);
+
+// Writes all or, with an `Error`, nothing.
+void write_findings(const Findings& findings, const Output_names& names);
+
+// "faces, segments, seconds"
+std::string summary(const Findings& findings);
+
+} // namespace tool
+
+#endif // PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_SEGMENT_FILE_H

@@ -1,0 +1,25 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_SEGMENTED_SOUP_H
+#define PROTRUSION_SEGMENTATION_TOOLS_WRITING_SEGMENTED_SOUP_H
+
+#include "reading/Polygon_soup.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace tool
+{
+
+// What is written: the faces of the file that was read, all of them, with their segments.
+struct Segmented_soup
+{
+  Polygon_soup soup;
+  std::vector<std::size_t> segments; // of the faces
+};
+
+} // namespace tool
+
+#endif // PROTRUSION_SEGMENTATION_TOOLS_WRITING_SEGMENTED_SOUP_H
