@@ -545,8 +545,26 @@ test_json_schema()
   expect 0 "$segment" outputs/teddy.off -k 4 --json records/minimum_cut.json
   expect_text records/minimum_cut.json '"distance_histogram": null'
   run /usr/bin/python3 - "$schema" records/*.json <<'END'
-import json, sys
+import json, math, sys
 import jsonschema
+
+def problems_with_borders(record):
+    parents = {protrusion["segment"]: protrusion["parent"] for protrusion in record["protrusions"]}
+    def is_in(segment, protrusion):
+        while segment != protrusion and segment in parents:
+            segment = parents[segment]
+        return segment == protrusion
+    for border in record["borders"]:
+        points = border["points"] + border["points"][:1] * border["is_closed"]
+        if not math.isclose(border["length"] or 0, sum(map(math.dist, points, points[1:])), rel_tol=1e-9):
+            yield f"the border of {border['segments']} is not as long as its line"
+    for protrusion in record["protrusions"]:
+        lengths = [border["length"] for border in record["borders"]
+                   if len({is_in(segment, protrusion["segment"]) for segment in border["segments"]}) == 2]
+        # which the default method adds up in single precision
+        if not math.isclose(sum(lengths), protrusion["border_length"], rel_tol=1e-6):
+            yield f"the borders of segment {protrusion['segment']} have another length than all of it"
+
 validator = jsonschema.Draft7Validator(json.load(open(sys.argv[1])))
 problems = 0
 for name in sys.argv[2:]:
@@ -557,6 +575,7 @@ for name in sys.argv[2:]:
             found.append("the stages take another time than all")
         if sum(measure["faces"] for measure in record["measures"]) != record["faces"]:
             found.append("the segments have another number of faces than all")
+        found += problems_with_borders(record)
     problems += len(found)
     for problem in found:
         print(f"{name}: {problem}", file=sys.stderr)

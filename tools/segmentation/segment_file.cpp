@@ -61,7 +61,7 @@ void warn_of_time(const Findings& findings, const Warn& warn)
          " faces may take very long; " + std::to_string(default_number_of_eigenpairs()) + " are the default");
 }
 
-std::vector<Segmented_soup> closed_parts(const Findings& findings)
+std::vector<Segmented_soup> make_closed_parts(const Findings& findings)
 {
   const Segmentation& segmentation = findings.segmentation;
   std::vector<std::size_t> parents(segmentation.number_of_segments);
@@ -123,7 +123,7 @@ void write_findings(const Findings& findings, const Output_names& names)
   Output_files files;
   for (const std::string& name : names.segments)
     if (names.are_parts_closed && is_pattern(name))
-      add_parts(name, closed_parts(findings), files);
+      add_parts(name, make_closed_parts(findings), files);
     else
       add_output(name, segmented, findings.segmentation.number_of_segments, files);
   if (!names.report.empty())

@@ -5,6 +5,7 @@
 #include "writing/json.h"
 
 #include "repair/area_vector.h"
+#include "writing/borders.h"
 
 #include <nlohmann/json.hpp>
 
@@ -138,6 +139,27 @@ Json describe_measures(const Findings& findings)
   return array;
 }
 
+Json describe(const Border& border)
+{
+  Json points = Json::array();
+  for (const Point& point : border.points)
+    points.push_back({point.x(), point.y(), point.z()});
+  Object object;
+  object.add("segments", border.segments)
+    .add("is_closed", border.is_closed)
+    .add("length", border.length)
+    .add("points", points);
+  return object.take();
+}
+
+Json describe_borders(const Findings& findings)
+{
+  Json array = Json::array();
+  for (const Border& border : find_borders(findings.mesh.mesh, findings.segmentation.segment_ids))
+    array.push_back(describe(border));
+  return array;
+}
+
 Json describe_surface(const Input_mesh& mesh)
 {
   const Repairs& repairs = mesh.repairs;
@@ -208,6 +230,7 @@ Json describe(const Findings& findings)
     .add("tips_eliminated", record.number_of_eliminated_tips())
     .add("measures", describe_measures(findings))
     .add("protrusions", describe_protrusions(findings))
+    .add("borders", describe_borders(findings))
     .add("hierarchy", describe_hierarchy(findings.segmentation));
   return object.take();
 }

@@ -1,0 +1,125 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "writing/Capper.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/utility.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace tool
+{
+namespace
+{
+
+// For longer loops the search among all triangulations, in cubic time, takes longer than a second.
+constexpr std::size_t longest_loop_for_cubic_algorithm = 500;
+
+std::pair<std::size_t, std::size_t> edge_between(std::size_t a, std::size_t b)
+{
+  return {(std::min)(a, b), (std::max)(a, b)};
+}
+
+// The smallest corner comes first: equal for equal triangles that look the same way.
+Triangle from_smallest(Triangle triangle)
+{
+  std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+  return triangle;
+}
+
+} // namespace
+
+Triangle turned_over(const Triangle& triangle)
+{
+  return from_smallest({triangle[0], triangle[2], triangle[1]});
+}
+
+Capper::Capper(const Mesh& mesh) : m_mesh(mesh)
+{
+  for (const auto v : vertices(mesh))
+    m_points.push_back(mesh.point(v));
+}
+
+std::vector<Triangle> Capper::cap(Loop loop)
+{
+  std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
+  const bool is_turned = loop.back() < loop[1];
+  if (is_turned)
+    std::reverse(loop.begin() + 1, loop.end());
+  const auto [known, is_new] = m_caps.emplace(loop, std::vector<Triangle>());
+  if (is_new)
+    known->second = make_cap(loop);
+  std::vector<Triangle> triangles = known->second;
+  if (is_turned)
+    std::transform(triangles.begin(), triangles.end(), triangles.begin(), turned_over);
+  return triangles;
+}
+
+// A diagonal that is an edge already would have more than two faces.
+std::vector<Triangle> Capper::make_cap(const Loop& loop)
+{
+  std::vector<Triangle> triangles = triangulate(loop);
+  std::set<Edge> diagonals;
+  for (const Triangle& triangle : triangles)
+    for (int i = 0; i < 3; ++i)
+      diagonals.insert(edge_between(triangle[i], triangle[(i + 1) % 3]));
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    diagonals.erase(edge_between(loop[i], loop[(i + 1) % loop.size()]));
+  const bool is_usable = triangles.size() + 2 == loop.size() &&
+                         std::none_of(diagonals.begin(), diagonals.end(),
+                                      [this](const Edge& edge) { return is_edge(edge); });
+  if (!is_usable)
+    return fan(loop);
+  m_diagonals.insert(diagonals.begin(), diagonals.end());
+  return triangles;
+}
+
+bool Capper::is_edge(const Edge& edge) const
+{
+  return m_diagonals.count(edge) > 0 ||
+         halfedge(Mesh::Vertex_index(Mesh::size_type(edge.first)),
+                  Mesh::Vertex_index(Mesh::size_type(edge.second)), m_mesh)
+           .second;
+}
+
+std::vector<Triangle> Capper::triangulate(const Loop& loop) const
+{
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  std::vector<Kernel::Point_3> points;
+  for (const std::size_t v : loop)
+    points.emplace_back(m_points[v].x(), m_points[v].y(), m_points[v].z());
+  std::vector<CGAL::Triple<int, int, int>> found;
+  CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
+    points, std::back_inserter(found),
+    CGAL::parameters::do_not_use_cubic_algorithm(loop.size() > longest_loop_for_cubic_algorithm));
+  std::vector<Triangle> triangles;
+  for (const auto& [a, b, c] : found)
+  {
+    std::array<int, 3> corners = {a, b, c};
+    std::sort(corners.begin(), corners.end()); // in the direction of the loop
+    triangles.push_back(
+      from_smallest({loop[std::size_t(corners[0])], loop[std::size_t(corners[1])], loop[std::size_t(corners[2])]}));
+  }
+  return triangles;
+}
+
+// Around a vertex of its own, in the middle.
+std::vector<Triangle> Capper::fan(const Loop& loop)
+{
+  const double share = 1. / static_cast<double>(loop.size());
+  Point::R::Vector_3 sum(0, 0, 0);
+  for (const std::size_t v : loop)
+    sum = sum + share * (m_points[v] - CGAL::ORIGIN);
+  const std::size_t centre = m_points.size();
+  m_points.push_back(CGAL::ORIGIN + sum);
+  std::vector<Triangle> triangles;
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    triangles.push_back(from_smallest({loop[i], loop[(i + 1) % loop.size()], centre}));
+  return triangles;
+}
+
+} // namespace tool
