@@ -1,5 +1,6 @@
-# Makes the Debian package, unpacks it, looks at what is in it, and runs a tool from it. The definitions
-# BUILD_FOLDER, WORK_FOLDER and CPACK come from the command line.
+# Makes the Debian packages, unpacks them, looks at what is in them, and runs a tool and the Python module from them. The
+# definitions BUILD_FOLDER, WORK_FOLDER and CPACK come from the command line; and PYTHON, the interpreter, if there is a
+# package for it.
 
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ECHO STDOUT COMMAND_ERROR_IS_FATAL ANY)
@@ -9,6 +10,10 @@ file(REMOVE_RECURSE ${WORK_FOLDER})
 file(MAKE_DIRECTORY ${WORK_FOLDER})
 run(${CPACK} --config ${BUILD_FOLDER}/CPackConfig.cmake -B ${WORK_FOLDER})
 file(GLOB packages ${WORK_FOLDER}/*.deb)
+file(GLOB python_package ${WORK_FOLDER}/python3-protrusion-segmentation_*.deb)
+if(PYTHON)
+  list(REMOVE_ITEM packages "${python_package}")
+endif()
 list(LENGTH packages number)
 if(NOT number EQUAL 1)
   message(FATAL_ERROR "There are ${number} packages instead of one")
@@ -38,3 +43,23 @@ foreach(library libcgal-dev libc6 libgmp10 libstdc++6)
   endif()
 endforeach()
 run(${WORK_FOLDER}/root/usr/bin/segment_by_protrusions --help)
+
+if(NOT PYTHON)
+  return()
+endif()
+run(dpkg-deb --extract ${python_package} ${WORK_FOLDER}/python_root)
+set(module_folder ${WORK_FOLDER}/python_root/usr/lib/python3/dist-packages)
+run(${CMAKE_COMMAND} -E env PYTHONPATH=${module_folder} PYTHONDONTWRITEBYTECODE=1 ${PYTHON} -c
+    "from protrusion_segmentation import segment\nassert list(segment([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])) == [0]")
+foreach(file py.typed _core.pyi)
+  if(NOT EXISTS ${module_folder}/protrusion_segmentation/${file})
+    message(FATAL_ERROR "The package of the module has no ${file}")
+  endif()
+endforeach()
+execute_process(COMMAND dpkg-deb --field ${python_package} Depends OUTPUT_VARIABLE depends)
+foreach(library python3 python3-numpy libstdc++6)
+  string(FIND "${depends}" ${library} position)
+  if(position EQUAL -1)
+    message(FATAL_ERROR "The package of the module does not depend on ${library}, but on ${depends}")
+  endif()
+endforeach()

@@ -97,7 +97,7 @@ test_usage()
                    "--distance diffusion --time soon" "--distance diffusion --landmarks 5%" \
                    "--eigenpairs 5" "--time 1" "--distance heat --time 1" "--distance exact --eigenpairs 5" \
                    "-o out.xyz" "-o out" "-o %d.seg" \
-                   "-o %d/%d.ply" "-o out.seg -o out.seg" "-o out.seg --json out.seg" "--json out.html --report out.html" "-o $mesh" "-o"; do
+                   "-o %d/%d.ply" "-o out.seg --close" "--close" "-o out.seg -o out.seg" "-o out.seg --json out.seg" "--json out.html --report out.html" "-o $mesh" "-o"; do
     # shellcheck disable=SC2086
     expect 2 "$segment" "$mesh" $arguments
   done
@@ -181,6 +181,48 @@ test_outputs()
   for part in outputs/parts/*; do
     expect 0 "$segment" "$part" -k 1 --quiet
     [ -s stdout ] || [ -s stderr ] && fail "$command: is not quiet"
+  done
+}
+
+# volume_of OFF_FILE...: six times the volume of all together; fails unless each edge of a file is there once in either
+# direction.
+volume_of()
+{
+  awk '
+    FNR == 1 { for (edge in count) open += !(reverse[edge] in count); delete count; delete reverse; line = 0; next }
+    /^ *(#|$)/ { next }
+    ++line == 1 { n = $1; next }
+    line <= n + 1 { for (c = 1; c <= 3; ++c) p[line - 2, c] = $c; next }
+    {
+      for (i = 2; i <= $1 + 1; ++i)
+      {
+        next_corner = i > $1 ? $2 : $(i + 1)
+        if (count[$i " " next_corner]++) ++open
+        reverse[$i " " next_corner] = next_corner " " $i
+      }
+      for (i = 3; i <= $1; ++i)
+      {
+        a = $2; b = $i; c = $(i + 1)
+        sum += p[a, 1] * (p[b, 2] * p[c, 3] - p[b, 3] * p[c, 2])
+        sum += p[a, 2] * (p[b, 3] * p[c, 1] - p[b, 1] * p[c, 3])
+        sum += p[a, 3] * (p[b, 1] * p[c, 2] - p[b, 2] * p[c, 1])
+      }
+    }
+    END { for (edge in count) open += !(reverse[edge] in count); printf "%.9g\n", sum; exit open > 0 }' "$@"
+}
+
+test_closed_parts()
+{
+  local whole sum method
+  whole=$(volume_of outputs/teddy.off) || fail "outputs/teddy.off is not closed"
+  for method in minimum-cut paper; do
+    expect 0 "$segment" outputs/teddy.off -k 6 --method $method --close -o closed_$method/%d.off
+    sum=$(volume_of closed_$method/[0-5].off) || fail "$command: a part is not closed"
+    awk -v a="$whole" -v b="$sum" 'BEGIN { exit !(a > 0 && (a - b) ^ 2 < (1e-6 * a) ^ 2) }' ||
+      fail "$command: volumes add up to $sum instead of $whole"
+    expect 0 "$segment" outputs/teddy.off -k 6 --method $method -o open_$method/%d.off
+    volume_of open_$method/0.off >/dev/null && fail "$command: a part is closed without --close"
+    rm -r closed_$method open_$method
   done
 }
 
@@ -529,6 +571,7 @@ touch stdout stderr
 test_usage
 test_example_meshes
 test_outputs
+test_closed_parts
 test_report
 test_determinism
 test_distances

@@ -1,4 +1,4 @@
-# `cpack` makes a Debian package of the headers and the command line tools.
+# `cpack` makes a Debian package of the headers and the command line tools, and one of the Python module if that is built.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME protrusion-segmentation)
@@ -9,9 +9,26 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_STRIP_FILES ON)
 
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
-# What the tools are linked with is found out by dpkg-shlibdeps; the rest is what the headers include.
+# What the programs are linked with is found out by dpkg-shlibdeps.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "libcgal-dev (>= 5.5)")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "g++, cmake, libeigen3-dev, libspectra-dev, libtbb-dev")
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL Unspecified)
+
+# Of all that is installed without a component; the dependencies are what the headers include.
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME protrusion-segmentation)
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_DEPENDS "libcgal-dev (>= 5.5)")
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_RECOMMENDS "g++, cmake, libeigen3-dev, libspectra-dev, libtbb-dev")
+set(CPACK_COMPONENT_UNSPECIFIED_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
+
+# The module is compiled for one minor version of Python.
+if(TARGET protrusion_segmentation_python)
+  get_target_property(minor protrusion_segmentation_python PYTHON_MINOR_VERSION)
+  math(EXPR next_minor "${minor} + 1")
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-protrusion-segmentation)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${minor}), python3 (<< 3.${next_minor}), python3-numpy")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
+endif()
 include(CPack)

@@ -53,7 +53,8 @@ void print_summary(const tool::Command_line& command_line, const tool::Findings&
 
 void segment_one(const tool::Command_line& command_line)
 {
-  const tool::Output_names names = {command_line.outputs, command_line.report, command_line.json};
+  const tool::Output_names names = {command_line.outputs, command_line.report, command_line.json,
+                                    command_line.are_parts_closed};
   tool::check_can_be_written(names);
   tool::Progress_bar bar(!command_line.is_quiet && tool::is_standard_error_a_terminal());
   const tool::Findings findings = tool::segment_file(

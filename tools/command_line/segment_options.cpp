@@ -11,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <set>
@@ -102,6 +103,8 @@ void check_names(const Command_line& command_line)
   std::vector<std::string> all = command_line.outputs;
   for (const std::string& name : all)
     check_output_name(name);
+  if (command_line.are_parts_closed && std::none_of(all.begin(), all.end(), is_pattern))
+    throw std::invalid_argument("--close has no meaning without a %d in the name of an output");
   for (const std::string& name : {command_line.json, command_line.report})
     if (!name.empty())
       all.push_back(name);
@@ -169,6 +172,9 @@ void add_output_options(CLI::App& app, Command_line& command_line)
   for (const std::string& format : output_formats())
     outputs += "\n" + format;
   app.add_option("-o,--output", command_line.outputs, outputs)->allow_extra_args(false)->type_name("FILE");
+  app.add_flag("--close", command_line.are_parts_closed,
+               "close the meshes of segments where they were cut off: all are closed if the input is, and their\n"
+               "volumes add up to that of the input");
   app.add_option("--json", command_line.json, "write what was found as JSON, - is the standard output")
     ->type_name("FILE");
   app

@@ -28,6 +28,7 @@ struct Command_line
   std::vector<std::string> outputs;
   std::string json;   // "-" is the standard output
   std::string report; // empty: none
+  bool are_parts_closed = false;
   bool is_quiet = false;
 
   // of a collection of meshes

@@ -9,6 +9,7 @@
 #include "report/report.h"
 #include "segmentation/segment.h"
 #include "writing/Output_files.h"
+#include "writing/closed_parts.h"
 #include "writing/json.h"
 #include "writing/outputs.h"
 
@@ -17,8 +18,11 @@
 #include <chrono>
 #include <cstddef>
 #include <iomanip>
+#include <numeric>
 #include <ostream>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace tool
 {
@@ -55,6 +59,22 @@ void warn_of_time(const Findings& findings, const Warn& warn)
   if (options.distance == "diffusion" && options.eigenpairs > many_eigenpairs && faces > options.eigenpairs)
     warn(std::to_string(options.eigenpairs) + " eigenpairs on " + std::to_string(faces) +
          " faces may take very long; " + std::to_string(default_number_of_eigenpairs()) + " are the default");
+}
+
+std::vector<Segmented_soup> closed_parts(const Findings& findings)
+{
+  const Segmentation& segmentation = findings.segmentation;
+  std::vector<std::size_t> parents(segmentation.number_of_segments);
+  std::iota(parents.begin(), parents.end(), std::size_t(0));
+  for (const Protrusion& protrusion : segmentation.record.protrusions())
+    parents[protrusion.segment] = protrusion.parent;
+  std::vector<Segmented_soup> parts;
+  for (Polygon_soup& part : closed_parts(findings.mesh.mesh, segmentation.segment_ids, parents))
+  {
+    const std::size_t number_of_faces = part.polygons.size();
+    parts.push_back({std::move(part), std::vector<std::size_t>(number_of_faces, parts.size())});
+  }
+  return parts;
 }
 
 std::string join_notes(const std::string& first, const std::string& second)
@@ -102,7 +122,10 @@ void write_findings(const Findings& findings, const Output_names& names)
                                     spread(findings.segmentation.segment_ids, findings.mesh)};
   Output_files files;
   for (const std::string& name : names.segments)
-    add_output(name, segmented, findings.segmentation.number_of_segments, files);
+    if (names.are_parts_closed && is_pattern(name))
+      add_parts(name, closed_parts(findings), files);
+    else
+      add_output(name, segmented, findings.segmentation.number_of_segments, files);
   if (!names.report.empty())
     files.add(names.report, [&](std::ostream& out) { write_report(out, findings); });
   if (!names.json.empty())

@@ -28,6 +28,7 @@ struct Output_names
   std::vector<std::string> segments;
   std::string report; // empty: none
   std::string json;   // empty: none
+  bool are_parts_closed = false; // of names with a number for each segment
 };
 
 // Throws an `Error` if one of them cannot be written. Good to know before a long computation.

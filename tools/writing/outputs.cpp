@@ -129,17 +129,15 @@ void add_file(const std::string& name, const Segmented_soup& segmented, Output_f
   files.add(name, [&](std::ostream& out) { find_format(name)->write(out, segmented); });
 }
 
-void add_parts(const std::string& pattern,
-               const Segmented_soup& segmented,
-               std::size_t number_of_segments,
-               Output_files& files)
+std::vector<Segmented_soup> parts_of(const Segmented_soup& segmented, std::size_t number_of_segments)
 {
-  files.make_folder_of(pattern);
   std::vector<std::vector<std::size_t>> faces_of(number_of_segments);
   for (std::size_t face = 0; face < segmented.segments.size(); ++face)
     faces_of[segmented.segments[face]].push_back(face);
-  for (std::size_t s = 0; s < faces_of.size(); ++s)
-    add_file(name_of_part(pattern, s), part_of(segmented, faces_of[s]), files);
+  std::vector<Segmented_soup> parts;
+  for (const std::vector<std::size_t>& faces : faces_of)
+    parts.push_back(part_of(segmented, faces));
+  return parts;
 }
 
 } // namespace
@@ -177,13 +175,20 @@ void check_output_name(const std::string& name)
     throw std::invalid_argument("-o: '" + name + "' has a %d elsewhere than once in the file's name");
 }
 
+void add_parts(const std::string& pattern, const std::vector<Segmented_soup>& parts, Output_files& files)
+{
+  files.make_folder_of(pattern);
+  for (std::size_t s = 0; s < parts.size(); ++s)
+    add_file(name_of_part(pattern, s), parts[s], files);
+}
+
 void add_output(const std::string& name,
                 const Segmented_soup& segmented,
                 std::size_t number_of_segments,
                 Output_files& files)
 {
   if (is_pattern(name))
-    add_parts(name, segmented, number_of_segments, files);
+    add_parts(name, parts_of(segmented, number_of_segments), files);
   else
     add_file(name, segmented, files);
 }

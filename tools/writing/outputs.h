@@ -27,6 +27,9 @@ bool is_pattern(const std::string& name);
 // there can be none.
 void check_output_name(const std::string& name);
 
+// One file for each part, in their order, of a name with a "%d".
+void add_parts(const std::string& pattern, const std::vector<Segmented_soup>& parts, Output_files& files);
+
 void add_output(const std::string& name,
                 const Segmented_soup& segmented,
                 std::size_t number_of_segments,

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The closed parts of the tool: every edge of a part has two faces that look the same way, and volumes add up.
+
+#include "writing/closed_parts.h"
+
+#include <CGAL/protrusion_segmentation.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include "check.h"
+#include "test_meshes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+using tool::Polygon_soup;
+using tool::Mesh;
+using tool::Point;
+using Labels = std::vector<std::size_t>;
+
+namespace
+{
+
+// Six times the volume, of fans.
+double volume(const Polygon_soup& part)
+{
+  double sum = 0;
+  for (const auto& polygon : part.polygons)
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+      sum += CGAL::determinant(part.points[polygon[0]] - CGAL::ORIGIN, part.points[polygon[i - 1]] - CGAL::ORIGIN,
+                               part.points[polygon[i]] - CGAL::ORIGIN);
+  return sum;
+}
+
+Polygon_soup whole(const Mesh& mesh)
+{
+  Polygon_soup part;
+  for (const auto v : vertices(mesh))
+    part.points.push_back(mesh.point(v));
+  for (const auto f : faces(mesh))
+  {
+    part.polygons.emplace_back();
+    for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      part.polygons.back().push_back(std::size_t(v));
+  }
+  return part;
+}
+
+// Edges that are not once in each direction.
+std::size_t number_of_open_edges(const Polygon_soup& part)
+{
+  std::map<std::pair<std::size_t, std::size_t>, int> uses;
+  for (const auto& polygon : part.polygons)
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      ++uses[{polygon[i], polygon[(i + 1) % polygon.size()]}];
+  std::size_t count = 0;
+  for (const auto& [edge, number] : uses)
+  {
+    const auto back = uses.find({edge.second, edge.first});
+    count += number == 1 && back != uses.end() && back->second == 1 ? 0 : 1;
+  }
+  return count;
+}
+
+void check_parts(const Mesh& mesh, const Labels& labels, const Labels& parents, const std::string& name)
+{
+  const std::vector<Polygon_soup> parts = tool::closed_parts(mesh, labels, parents);
+  CHECK_EQUAL(parts.size(), parents.size());
+  double sum = 0;
+  std::size_t number_of_faces = 0;
+  for (std::size_t s = 0; s < parts.size(); ++s)
+  {
+    check::report(number_of_open_edges(parts[s]) == 0, __FILE__, __LINE__,
+                  name + ": part " + std::to_string(s) + " is not closed");
+    sum += volume(parts[s]);
+    number_of_faces += parts[s].polygons.size();
+  }
+  const double expected = volume(whole(mesh));
+  check::report(std::abs(sum - expected) <= 1e-9 * std::abs(expected), __FILE__, __LINE__,
+                name + ": volumes add up to " + std::to_string(sum) + ", not to " + std::to_string(expected));
+  CHECK(parts.size() < 2 || number_of_faces > mesh.number_of_faces());
+}
+
+void test_segmentations(const Mesh& mesh, std::size_t number, const std::string& name)
+{
+  const auto hierarchy = CGAL::protrusion_hierarchy(mesh, number);
+  Labels labels(mesh.number_of_faces()), parents;
+  hierarchy.segment_ids(mesh, hierarchy.maximum_number_of_segments(),
+                        boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh)));
+  for (std::size_t s = 0; s < hierarchy.maximum_number_of_segments(); ++s)
+    parents.push_back(hierarchy.parent(s));
+  check_parts(mesh, labels, parents, name);
+}
+
+// Three segments and more at one vertex, loops that touch themselves, segments in several pieces.
+void test_random_labels(const Mesh& mesh, std::size_t number, unsigned int seed, const std::string& name)
+{
+  std::mt19937 random(seed);
+  Labels labels(mesh.number_of_faces()), parents = {0};
+  for (std::size_t s = 1; s < number; ++s)
+    parents.push_back(random() % s);
+  for (std::size_t& label : labels)
+    label = random() % number;
+  check_parts(mesh, labels, parents, name + " at random");
+}
+
+// 0 or 1 for the faces on either side of a plane across an axis.
+Labels labels_of_halves(const Mesh& mesh, int axis, double position)
+{
+  Labels labels;
+  for (const auto f : faces(mesh))
+  {
+    double sum = 0;
+    for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      sum += mesh.point(v)[axis] - position;
+    labels.push_back(sum > 0 ? 1 : 0);
+  }
+  return labels;
+}
+
+// Two cubes next to each other become two cubes.
+void test_box_in_halves()
+{
+  const auto mesh = test_meshes::to_graph<Mesh>(test_meshes::box(2, 1, 1));
+  double smallest = mesh.point(*vertices(mesh).begin())[0], largest = smallest;
+  for (const auto v : vertices(mesh))
+  {
+    smallest = (std::min)(smallest, mesh.point(v)[0]);
+    largest = (std::max)(largest, mesh.point(v)[0]);
+  }
+  const auto parts = tool::closed_parts(mesh, labels_of_halves(mesh, 0, (smallest + largest) / 2), {0, 0});
+  for (const Polygon_soup& part : parts)
+  {
+    CHECK_EQUAL(part.points.size(), 8);
+    CHECK_EQUAL(part.polygons.size(), mesh.number_of_faces() / 2 + 2); // two triangles close a square
+    CHECK_CLOSE(volume(part), volume(whole(mesh)) / 2, 1e-12);
+    CHECK_EQUAL(number_of_open_edges(part), 0);
+  }
+}
+
+// What is open stays so; the border between the parts is closed.
+void test_open_mesh()
+{
+  const auto mesh = test_meshes::to_graph<Mesh>(test_meshes::open_cylinder());
+  std::size_t number_of_border_edges = 0;
+  for (const auto e : edges(mesh))
+    number_of_border_edges += mesh.is_border(e) ? 1 : 0;
+  std::size_t number_of_faces = 0, open_edges = 0;
+  for (const auto& part : tool::closed_parts(mesh, labels_of_halves(mesh, 2, 2), {0, 0}))
+  {
+    number_of_faces += part.polygons.size();
+    open_edges += number_of_open_edges(part);
+  }
+  CHECK(number_of_faces > mesh.number_of_faces());
+  CHECK_EQUAL(open_edges, number_of_border_edges);
+
+  // A border from one end to the other cannot be closed.
+  number_of_faces = 0;
+  for (const auto& part : tool::closed_parts(mesh, labels_of_halves(mesh, 0, 0), {0, 0}))
+    number_of_faces += part.polygons.size();
+  CHECK_EQUAL(number_of_faces, mesh.number_of_faces());
+}
+
+} // namespace
+
+int main()
+{
+  using namespace test_meshes;
+  const std::map<std::string, Test_mesh> meshes = {
+    {"star", star(5)}, {"creature", creature()}, {"torus", torus()}, {"dumbbell", dumbbell()}};
+  for (const auto& [name, soup] : meshes)
+  {
+    const auto mesh = to_graph<Mesh>(soup);
+    for (const std::size_t number : {1, 2, 4, 8})
+      test_segmentations(mesh, number, name);
+    for (unsigned int seed = 0; seed < 3; ++seed)
+      test_random_labels(mesh, 2 + seed, seed, name);
+  }
+  test_box_in_halves();
+  test_open_mesh();
+  return check::result();
+}

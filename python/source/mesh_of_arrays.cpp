@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "mesh_of_arrays.h"
+
+#include "reading/Format_error.h"
+
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace python
+{
+namespace
+{
+
+std::vector<tool::Point> read_points(const std::vector<double>& xyz)
+{
+  std::vector<tool::Point> points;
+  points.reserve(xyz.size() / 3);
+  for (std::size_t i = 0; i + 2 < xyz.size(); i += 3)
+  {
+    // in the words of the package's functions
+    if (!std::isfinite(xyz[i]) || !std::isfinite(xyz[i + 1]) || !std::isfinite(xyz[i + 2]))
+      throw std::invalid_argument("tmesh: vertex " + std::to_string(i / 3) +
+                                  " has a coordinate that is not finite");
+    points.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
+  }
+  return points;
+}
+
+tool::Polygon read_polygon(const std::vector<std::int64_t>& corners,
+                           std::size_t begin,
+                           std::size_t end,
+                           std::size_t face,
+                           std::size_t number_of_vertices)
+{
+  tool::Polygon polygon;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    if (corners[i] < 0 || static_cast<std::size_t>(corners[i]) >= number_of_vertices)
+      throw std::invalid_argument("faces: face " + std::to_string(face) + " has the corner " +
+                                  std::to_string(corners[i]) + ", but there are " +
+                                  std::to_string(number_of_vertices) + " vertices");
+    polygon.push_back(static_cast<std::size_t>(corners[i]));
+  }
+  return polygon;
+}
+
+std::vector<tool::Polygon> read_polygons(const Arrays& arrays, std::size_t number_of_vertices)
+{
+  const auto& [coordinates, corners, sizes] = arrays;
+  if (sizes.empty())
+    throw std::invalid_argument("faces: there are none");
+  std::vector<tool::Polygon> polygons;
+  polygons.reserve(sizes.size());
+  std::size_t begin = 0;
+  for (std::size_t face = 0; face < sizes.size(); ++face)
+  {
+    if (sizes[face] < 0 || static_cast<std::size_t>(sizes[face]) > corners.size() - begin)
+      throw std::invalid_argument("faces: there are fewer corners than the faces have");
+    const std::size_t end = begin + static_cast<std::size_t>(sizes[face]);
+    polygons.push_back(read_polygon(corners, begin, end, face, number_of_vertices));
+    begin = end;
+  }
+  return polygons;
+}
+
+} // namespace
+
+tool::Input_mesh mesh_of_arrays(const Arrays& arrays)
+{
+  tool::Polygon_soup soup;
+  soup.points = read_points(arrays.coordinates);
+  soup.polygons = read_polygons(arrays, soup.points.size());
+  try
+  {
+    return tool::make_input_mesh(std::move(soup));
+  }
+  catch (const tool::Format_error& error)
+  {
+    throw std::invalid_argument(std::string("tmesh ") + error.what());
+  }
+}
+
+} // namespace python

@@ -1,0 +1,30 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROTRUSION_SEGMENTATION_PYTHON_SOURCE_MESH_OF_ARRAYS_H
+#define PROTRUSION_SEGMENTATION_PYTHON_SOURCE_MESH_OF_ARRAYS_H
+
+#include "repair/Input_mesh.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace python
+{
+
+// A mesh as arrays.
+struct Arrays
+{
+  std::vector<double> coordinates;   // x, y and z of each vertex
+  std::vector<std::int64_t> corners; // of all faces, one after the other, as numbers of vertices
+  std::vector<std::int64_t> sizes;   // the number of corners of each face
+};
+
+// The surface that the faces make up, repaired as the command line tools do. Throws std::invalid_argument if an array
+// makes no sense.
+tool::Input_mesh mesh_of_arrays(const Arrays& arrays);
+
+} // namespace python
+
+#endif // PROTRUSION_SEGMENTATION_PYTHON_SOURCE_MESH_OF_ARRAYS_H

@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROTRUSION_SEGMENTATION_PYTHON_SOURCE_RUN_INTERRUPTIBLY_H
+#define PROTRUSION_SEGMENTATION_PYTHON_SOURCE_RUN_INTERRUPTIBLY_H
+
+#include "reading/Mesh.h"
+
+#include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
+
+#include <pybind11/pybind11.h>
+
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <memory>
+#include <thread>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace python
+{
+
+// A visitor that stops when another thread says so.
+class Stoppable : public CGAL::Protrusion_segmentation::Segmentation_visitor<tool::Mesh>
+{
+public:
+  explicit Stoppable(const std::atomic<bool>& is_stopped) : m_is_stopped(is_stopped) {}
+  bool go_further() override { return !m_is_stopped; }
+
+private:
+  const std::atomic<bool>& m_is_stopped;
+};
+
+// Threads that were interrupted and have still to notice it, which takes them up to some seconds on a large mesh. The
+// process may not end before them: they use what it destroys then.
+class Interrupted_threads
+{
+public:
+  ~Interrupted_threads()
+  {
+    for (std::thread& thread : m_threads)
+      thread.join();
+  }
+  void add(std::thread thread) { m_threads.push_back(std::move(thread)); }
+
+private:
+  std::vector<std::thread> m_threads;
+};
+
+inline Interrupted_threads& interrupted_threads()
+{
+  static Interrupted_threads threads;
+  return threads;
+}
+
+// People feel no delay below a tenth of a second; a look takes microseconds.
+constexpr std::chrono::milliseconds time_between_looks_for_signals{50};
+
+// With the GIL: true if the handler of a signal raised an exception of Python before the result was there.
+template <typename Result>
+bool is_interrupted_before(const std::future<Result>& result)
+{
+  const pybind11::gil_scoped_release released;
+  while (result.wait_for(time_between_looks_for_signals) != std::future_status::ready)
+  {
+    const pybind11::gil_scoped_acquire gil;
+    if (PyErr_CheckSignals() != 0)
+      return true;
+  }
+  return false;
+}
+
+// The result of `run(visitor)`, which runs in a thread of its own: so Ctrl-C is answered at once, also where nobody
+// asks the visitor. `run` must own all that it uses, for after Ctrl-C it is left alone; it knows nothing of Python.
+template <typename Run>
+auto run_interruptibly(Run run)
+{
+  const auto is_stopped = std::make_shared<std::atomic<bool>>(false);
+  std::packaged_task<std::invoke_result_t<Run&, Stoppable&>()> task(
+    [run = std::move(run), is_stopped]() mutable
+    {
+      Stoppable visitor(*is_stopped);
+      return run(visitor);
+    });
+  auto result = task.get_future();
+  interrupted_threads(); // lives longer than the thread
+  std::thread thread(std::move(task));
+  if (is_interrupted_before(result))
+  {
+    *is_stopped = true;
+    interrupted_threads().add(std::move(thread));
+    throw pybind11::error_already_set();
+  }
+  thread.join();
+  return result.get();
+}
+
+} // namespace python
+
+#endif // PROTRUSION_SEGMENTATION_PYTHON_SOURCE_RUN_INTERRUPTIBLY_H

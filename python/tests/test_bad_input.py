@@ -1,0 +1,152 @@
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whatever does not make sense raises ValueError, in the words of the C++ package where it has some."""
+
+import numpy as np
+import pytest
+
+import protrusion_segmentation as ps
+from meshes import TETRAHEDRON, ball_with_arms
+
+POINTS, TRIANGLES = TETRAHEDRON
+
+
+def with_value(array, place, value):
+    result = np.array(array)
+    result[place] = value
+    return result
+
+
+FINITE = "^tmesh: vertex 2 has a coordinate that is not finite$"
+VERTICES = [
+    (with_value(POINTS, (2, 1), np.nan), FINITE),
+    (with_value(POINTS, (2, 0), np.inf), FINITE),
+    (with_value(POINTS, (2, 2), -np.inf), FINITE),
+    (POINTS[:, :2], r"^vertices: the shape is \(4, 2\), not \(n, 3\)$"),
+    (POINTS.reshape(-1), r"^vertices: the shape is \(12,\), not \(n, 3\)$"),
+    (POINTS[None], "^vertices: the shape"),
+    (1.5, "^vertices: the shape"),
+    (None, "^vertices: the shape"),
+    ([[0, 0, 0], [1, 0]], "^vertices: "),
+    ([["a", "b", "c"]], "^vertices: "),
+    (object(), "^vertices: "),
+    ([], "^vertices: the shape"),
+    (np.empty((0, 3)), "^faces: face 0 has the corner 0, but there are 0 vertices$"),
+]
+FACES = [
+    (with_value(TRIANGLES, (1, 2), 4), "^faces: face 1 has the corner 4, but there are 4 vertices$"),
+    (with_value(TRIANGLES, (1, 2), -1), "^faces: face 1 has the corner -1, but there are 4 vertices$"),
+    ([[0, 1, 2], [0, 1, 2, 9]], "^faces: face 1 has the corner 9, but there are 4 vertices$"),
+    (with_value(TRIANGLES.astype(np.uint64), (0, 0), 2**64 - 1), "^faces: 18446744073709551615 is too large$"),
+    ([[0, 1, 2**70]], "^faces: not all of them are integers$"),
+    (TRIANGLES * 1.0, "^faces: not all of them are integers$"),
+    (TRIANGLES > 1, "^faces: not all of them are integers$"),
+    ([["a", "b", "c"]], "^faces: not all of them are integers$"),
+    ([[0, 1, None]], "^faces: not all of them are integers$"),
+    ([[[0, 1, 2]]], "^faces: the shape"),
+    (["012"], "^faces: not all of them are integers$"),
+    (TRIANGLES.reshape(-1), r"^faces: the shape is \(12,\), not \(m, 3\)$"),
+    (TRIANGLES.reshape(-1).tolist(), "^faces: neither an array"),
+    (7, "^faces: neither an array"),
+    (None, "^faces: neither an array"),
+    ([], "^faces: there are none$"),
+    (np.empty((0, 3), int), "^faces: there are none$"),
+    ([[]], "^tmesh has degenerate faces only"),
+    ([[0], [1, 2]], "^tmesh has degenerate faces only"),
+    ([[0, 0, 1]], "^tmesh has degenerate faces only"),
+    (np.empty((5, 0), int), "^tmesh has degenerate faces only"),
+]
+
+
+FUNCTIONS = {
+    "segment": ps.segment,
+    "segment_from_tips": lambda vertices, faces: ps.segment_from_tips(vertices, faces, [0]),
+    "hierarchy": lambda vertices, faces: ps.hierarchy(vertices, faces, 1),
+    "tips": lambda vertices, faces: ps.tips(vertices, faces, 1),
+    "evaluate": lambda vertices, faces: ps.evaluate(vertices, faces, [0], [0]),
+}
+
+
+@pytest.mark.parametrize("call", FUNCTIONS.values(), ids=FUNCTIONS.keys())
+def test_wrong_mesh(call):
+    for vertices, words in VERTICES:
+        with pytest.raises(ValueError, match=words):
+            call(vertices, TRIANGLES)
+    for faces, words in FACES:
+        with pytest.raises(ValueError, match=words):
+            call(POINTS, faces)
+
+
+CALLS = [
+    (lambda: ps.segment(POINTS, TRIANGLES, 0), "^number_of_segments is 0$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, -2), "^number_of_segments is -2$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, 5), "^number_of_segments is 5, but tmesh has only 4 faces$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, 2**80), f"^number_of_segments is {2**80}$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, 2.5), "^number_of_segments is no integer, but 2.5$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, True), "^number_of_segments is True$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, "3"), "^number_of_segments is no integer, but '3'$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, method="x"), "^method is 'x', but it must be minimum-cut or paper$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, distance="far"), "^distance is 'far', but it must be geodesic, landmark"),
+    (lambda: ps.segment(POINTS, TRIANGLES, method=None), "^method is None"),
+    (lambda: ps.segment(POINTS, TRIANGLES, distance=1), "^distance is 1"),
+    (lambda: ps.tips(POINTS, TRIANGLES, 2, None), "^distance is None"),
+    (lambda: ps.segment(POINTS, TRIANGLES, random_seed=-1), "^random_seed is -1$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, random_seed=2**32), "^random_seed is 4294967296$"),
+    (lambda: ps.hierarchy(POINTS, TRIANGLES, 0), "^number_of_segments is 0$"),
+    (lambda: ps.hierarchy(POINTS, TRIANGLES, -1), "^maximum_number_of_segments is -1$"),
+    (lambda: ps.tips(POINTS, TRIANGLES, 5), "^number_of_tips is 5, but tmesh has only 4 faces$"),
+    (lambda: ps.tips(POINTS, TRIANGLES, -5), "^number_of_tips is -5$"),
+    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [4]), "^tips: a face is not in tmesh$"),
+    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [-1]), "^tips: a face is not in tmesh$"),
+    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, 3), "^tips: the shape"),
+    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [0.5]), "^tips: not all of them are integers$"),
+    (lambda: ps.evaluate(POINTS, TRIANGLES, [0, 1, 2], [0] * 4), "^labels: there are 3, but tmesh has 4 faces$"),
+    (lambda: ps.evaluate(POINTS, TRIANGLES, [0] * 4, [0] * 5), "^reference: there are 5, but tmesh has 4 faces$"),
+    (lambda: ps.evaluate(POINTS, TRIANGLES, [0.0] * 4, [0] * 4), "^labels: not all of them are integers$"),
+]
+
+
+@pytest.mark.parametrize("call, words", CALLS, ids=[words for _, words in CALLS])
+def test_wrong_argument(call, words):
+    with pytest.raises(ValueError, match=words):
+        call()
+
+
+SURFACES = {
+    "an edge of three faces": [[0, 1, 2], [1, 0, 3], [0, 1, 4]],
+    "faces that look the other way": [[0, 2, 1], [0, 3, 1], [1, 2, 3], [2, 0, 3]],
+    "a vertex of two fans": [[0, 1, 2], [0, 3, 4]],
+    "a face twice": [[0, 1, 2], [0, 1, 2], [2, 1, 0]],
+    "a polygon that comes back": [[0, 1, 2, 1], [0, 2, 3]],
+    "one triangle": [[0, 1, 2]],
+}
+
+
+@pytest.mark.parametrize("faces", SURFACES.values(), ids=SURFACES.keys())
+def test_awkward_surfaces_are_segmented(faces):
+    points = np.random.default_rng(5).random((5, 3))
+    for method in ("minimum-cut", "paper"):
+        labels = ps.segment(points, faces, method=method)
+        assert labels.shape == (len(faces),)
+        assert labels.min() == 0
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_random_soups_give_labels_or_value_errors(seed):
+    random = np.random.default_rng(seed)
+    points = random.integers(-1, 2, (random.integers(1, 12), 3)) * 10.0 ** random.integers(-300, 300)
+    faces = [random.integers(0, len(points), random.integers(0, 6)) for _ in range(random.integers(0, 30))]
+    try:
+        labels = ps.segment(points, faces, method=("minimum-cut", "paper")[seed % 2])
+    except ValueError:
+        return
+    assert labels.shape == (len(faces),)
+    assert sorted(set(labels.tolist())) == list(range(labels.max() + 1))
+
+
+def test_huge_and_tiny_coordinates():
+    points, triangles = ball_with_arms(3)
+    expected = ps.segment(points, triangles, 7)
+    for exponent in (-1000, 1000):
+        assert (ps.segment(np.ldexp(points, exponent), triangles, 7) == expected).all()

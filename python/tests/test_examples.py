@@ -1,0 +1,57 @@
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The examples and the README's program. What needs a library that is not there is skipped."""
+
+import re
+import runpy
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import protrusion_segmentation as ps
+from meshes import ball_with_arms
+
+FOLDER = Path(__file__).resolve().parent.parent
+POINTS, TRIANGLES = ball_with_arms()
+LABELS = ps.segment(POINTS, TRIANGLES)
+
+
+def example(name):
+    return runpy.run_path(str(FOLDER / "examples" / name))["label"]
+
+
+def test_meshio(tmp_path):
+    meshio = pytest.importorskip("meshio")
+    lines = np.array([[0, 1], [1, 2]])
+    mesh = meshio.Mesh(POINTS, [("triangle", TRIANGLES[:99]), ("line", lines), ("triangle", TRIANGLES[99:])])
+    example("label_with_meshio.py")(mesh)
+    mesh.write(tmp_path / "mesh.vtk")
+    first, of_lines, second = meshio.read(tmp_path / "mesh.vtk").cell_data["segment"]
+    assert (np.concatenate([first, second]) == LABELS).all()
+    assert (np.array(of_lines) == -1).all()
+
+
+def test_trimesh():
+    trimesh = pytest.importorskip("trimesh")
+    mesh = trimesh.Trimesh(POINTS, TRIANGLES, process=False)
+    example("label_with_trimesh.py")(mesh)
+    assert (mesh.face_attributes["segment"] == LABELS).all()
+    assert len(np.unique(mesh.visual.face_colors, axis=0)) == LABELS.max() + 1
+
+
+def test_pyvista():
+    pyvista = pytest.importorskip("pyvista")
+    mesh = pyvista.PolyData.from_irregular_faces(POINTS, TRIANGLES)
+    example("label_with_pyvista.py")(mesh)
+    assert (mesh.cell_data["segment"] == LABELS).all()
+
+
+def test_programs_of_the_readme():
+    programs = re.findall(r"```python\n(.*?)```", (FOLDER / "README.md").read_text(encoding="utf-8"), re.DOTALL)
+    assert programs
+    names = {"vertices": POINTS, "faces": TRIANGLES}
+    for program in programs:
+        exec(program, names)
+    assert (names["labels"] == LABELS).all()
