@@ -58,28 +58,20 @@ public:
                         Accept accept)
   {
     const double segment_area = m_partition.area(nodes);
-    std::vector<Cut> candidates;
-    for (Nodes& inner : different_sets(segment, nodes, orders, level_sets(orders, segment_area), accept))
-      candidates.push_back(level_set_cut(segment, nodes, std::move(inner), segment_area));
-    sort_by_value(candidates);
-    candidates.resize((std::min)(candidates.size(), maximum_number_of_refined_cuts));
     std::vector<Cut> cuts;
-    for (Cut& candidate : candidates)
+    for (const Nodes& inner : different_sets(segment, nodes, orders, level_sets(orders, segment_area), accept))
     {
       m_execution.check();
-      Cut cut = refined(segment, nodes, std::move(candidate), segment_area);
+      Cut cut = refined(segment, nodes, inner, segment_area);
       if (std::isfinite(cut.value))
         cuts.push_back(std::move(cut));
     }
-    sort_by_value(cuts);
+    std::stable_sort(cuts.begin(), cuts.end(),
+                     [](const Cut& a, const Cut& b) { return a.value > b.value; });
     return cuts;
   }
 
 private:
-  // Of the cuts along level sets, those that are worth most become minimum cuts. With all ten the Rand index error on the
-  // development models of the Princeton benchmark is the same, with four higher by .002.
-  static constexpr std::size_t maximum_number_of_refined_cuts = 7;
-
   // Level sets of a segment that are looked at more closely; a bit each in `m_kept`.
   static constexpr std::size_t maximum_number_of_sets = 10;
 
@@ -162,41 +154,28 @@ private:
     return false;
   }
 
-  static void sort_by_value(std::vector<Cut>& cuts)
+  // The cut around a set of nodes or the minimum cut near it, both sides connected.
+  Cut refined(Index segment, const Nodes& nodes, const Nodes& set, double segment_area)
   {
-    std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.value > b.value; });
-  }
-
-  // The cut around a set of nodes, both sides connected, the smaller one the inner.
-  Cut level_set_cut(Index segment, const Nodes& nodes, Nodes set, double segment_area)
-  {
+    constexpr Band band = {0.35, 1.4, 0.7};
     m_partition.mark(nodes, set);
     Cut cut;
-    cut.inner = std::move(set);
-    if (2 * m_partition.area(cut.inner) > segment_area)
+    cut.inner = set;
+    if (m_partition.area(set) > segment_area / 2)
     {
       cut.inner.clear();
       std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(cut.inner),
                    [this](Index i) { return !m_partition.is_inner(i); });
     }
     cut.inner = m_partition.connect_sides(nodes, segment, cut.inner);
-    value_cut(m_partition, segment, nodes, segment_area, m_policy, cut);
-    return cut;
-  }
-
-  // The cut or the minimum cut near it.
-  Cut refined(Index segment, const Nodes& nodes, Cut cut, double segment_area)
-  {
-    constexpr Band band = {0.35, 1.4, 0.7};
-    m_partition.mark(nodes, cut.inner);
     const double cost = relative_cost_of(segment, cut.inner, segment_area);
     Nodes minimum = refine_cut(m_partition, segment, nodes, cut.inner, band, m_number);
     minimum = m_partition.connect_sides(nodes, segment, minimum);
     if (m_policy.prefers_minimum_cut(cost, relative_cost_of(segment, minimum, segment_area)))
-    {
       cut.inner = std::move(minimum);
-      value_cut(m_partition, segment, nodes, segment_area, m_policy, cut);
-    }
+    else
+      m_partition.mark(nodes, cut.inner);
+    value_cut(m_partition, segment, nodes, segment_area, m_policy, cut);
     return cut;
   }
 
