@@ -4,14 +4,13 @@
 //
 // The closed parts of the tool: every edge of a part has two faces that look the same way, and volumes add up.
 
+#include "check.h"
+#include "test_meshes.h" // Boost demands that it comes before Boost Graph
 #include "writing/closed_parts.h"
 
 #include <CGAL/protrusion_segmentation.h>
 
 #include <boost/property_map/property_map.hpp>
-
-#include "check.h"
-#include "test_meshes.h"
 
 #include <algorithm>
 #include <cmath>

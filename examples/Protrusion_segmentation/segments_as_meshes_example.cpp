@@ -2,17 +2,20 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Makes a mesh of its own of every segment, closed where it was cut off.
+// Makes a mesh of its own of every segment, closed where it was cut off. Where three segments meet, their caps do not fit
+// together, and volumes do not add up to the whole.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/repair.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
+#include <CGAL/centroid.h>
 #include <CGAL/protrusion_segmentation.h>
 
 #include "read_or_make_mesh.h"
@@ -35,17 +38,16 @@ Mesh mesh_of_segment(const Mesh& mesh, std::size_t segment, Segments segments)
   return part;
 }
 
-// Each hole gets a cap of triangles that bends as little as possible. `triangulate_refine_and_fair_hole()` in place of
-// `triangulate_hole()` makes smooth caps, with vertices of their own.
-void close_holes(Mesh& part)
+// The cap is a fan of triangles around a vertex in the middle of the hole. Of the functions of Polygon Mesh Processing,
+// `triangulate_hole()` needs no further vertex, and `triangulate_refine_and_fair_hole()` makes smooth caps.
+void close_hole(Mesh& part, Mesh::Halfedge_index hole)
 {
-  std::vector<Mesh::Halfedge_index> holes;
-  PMP::extract_boundary_cycles(part, std::back_inserter(holes));
-  for (const auto hole : holes)
-  {
-    std::vector<Face> cap;
-    PMP::triangulate_hole(part, hole, std::back_inserter(cap));
-  }
+  std::vector<Mesh::Point> points;
+  for (const auto v : vertices_around_face(hole, part))
+    points.push_back(part.point(v));
+  CGAL::Euler::fill_hole(hole, part);
+  const auto to_middle = CGAL::Euler::add_center_vertex(hole, part);
+  part.point(target(to_middle, part)) = CGAL::centroid(points.begin(), points.end());
 }
 
 // segments_as_meshes_example [MESH]
@@ -60,9 +62,13 @@ int main(int argc, char* argv[])
   for (std::size_t s = 0; s < number_of_segments; ++s)
   {
     Mesh part = mesh_of_segment(mesh, s, segments);
-    close_holes(part);
+    std::vector<Mesh::Halfedge_index> holes;
+    PMP::extract_boundary_cycles(part, std::back_inserter(holes));
+    for (const auto hole : holes)
+      close_hole(part, hole);
     std::cout << "segment " << s << ": " << part.number_of_faces() << " faces";
-    if (CGAL::is_closed(part) && CGAL::is_triangle_mesh(part))
+    PMP::triangulate_faces(part);
+    if (CGAL::is_closed(part))
       std::cout << ", closed, volume " << PMP::volume(part);
     std::cout << std::endl; // CGAL::IO::write_polygon_mesh("segment_" + std::to_string(s) + ".ply", part) writes it
   }
