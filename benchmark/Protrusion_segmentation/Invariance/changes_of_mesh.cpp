@@ -3,22 +3,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "changes_of_mesh.h"
+#include "other_triangles.h"
 
-#include <CGAL/AABB_face_graph_triangle_primitive.h>
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Surface_mesh_simplification/edge_collapse.h>
-#include <CGAL/centroid.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <random>
 #include <utility>
 
@@ -139,18 +133,10 @@ Changed_mesh split_at_midpoints(const Changed_mesh& input)
 // Faces of another mesh come from the nearest face.
 Changed_mesh with_nearest_origins(Mesh other, const Mesh& mesh)
 {
-  using Primitive = CGAL::AABB_face_graph_triangle_primitive<Mesh>;
-  using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
-  const Tree tree(faces(mesh).begin(), faces(mesh).end(), mesh);
   Changed_mesh result;
-  for (const Face f : other.faces())
-  {
-    std::vector<Point> corners;
-    for (const Vertex v : vertices_around_face(other.halfedge(f), other))
-      corners.push_back(other.point(v));
-    result.origins.push_back(tree.closest_point_and_primitive(CGAL::centroid(corners.begin(), corners.end())).second);
-    result.copies.push_back(0);
-  }
+  for (const Face f : nearest_faces(other, mesh))
+    result.origins.push_back(f);
+  result.copies.resize(result.origins.size(), 0);
   result.mesh = std::move(other);
   return result;
 }
@@ -160,16 +146,6 @@ Changed_mesh decimated(const Mesh& mesh, double share)
   Mesh other = mesh;
   SMS::edge_collapse(other, [share](double, const auto&, std::size_t initial, std::size_t current)
                      { return double(current) < share * double(initial); });
-  other.collect_garbage();
-  return with_nearest_origins(std::move(other), mesh);
-}
-
-Changed_mesh remeshed(const Mesh& mesh)
-{
-  Mesh other = mesh;
-  const double face_area = PMP::area(mesh) / double(mesh.number_of_faces());
-  PMP::isotropic_remeshing(faces(other), std::sqrt(4 / std::sqrt(3.) * face_area), other,
-                           CGAL::parameters::number_of_iterations(3));
   other.collect_garbage();
   return with_nearest_origins(std::move(other), mesh);
 }
@@ -250,5 +226,6 @@ std::vector<Change_of_mesh> all_changes_of_mesh()
           {"split twice", [split](const Mesh& mesh) { return split_at_midpoints(split(mesh)); }},
           {"decimated to a half", [](const Mesh& mesh) { return decimated(mesh, 0.5); }},
           {"decimated to a quarter", [](const Mesh& mesh) { return decimated(mesh, 0.25); }},
-          {"remeshed, same number of faces", remeshed}};
+          {"remeshed, same number of faces",
+           [](const Mesh& mesh) { return with_nearest_origins(remeshed(mesh, 1, 1), mesh); }}};
 }

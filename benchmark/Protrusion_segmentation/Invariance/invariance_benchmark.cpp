@@ -7,10 +7,12 @@
 // invariance_benchmark --folder FOLDER [--every N] [--methods LIST]
 
 #include "changes_of_mesh.h"
+#include "named_methods.h"
 #include "peers.h"
 #include "protrusion_methods.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
+#include <CGAL/Protrusion_segmentation/internal/Metrics/overlap_errors.h>
 
 #include <CLI/CLI.hpp>
 
@@ -19,10 +21,8 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 struct Options
@@ -34,17 +34,10 @@ struct Options
 
 std::vector<Segmentation_method> chosen_methods(const std::string& list)
 {
-  std::vector<Segmentation_method> all = protrusion_methods(), result;
+  std::vector<Segmentation_method> all = protrusion_methods();
   for (const Segmentation_method& method : sdf_methods())
     all.push_back(method);
-  for (const std::string& name : CLI::detail::split(list, ','))
-  {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& method) { return method.name == name; });
-    if (found == all.end())
-      throw std::invalid_argument("there is no method " + name);
-    result.push_back(*found);
-  }
-  return result;
+  return named_methods(all, list);
 }
 
 std::vector<std::string> files_in(const std::string& folder)
@@ -62,30 +55,12 @@ std::size_t number_of(const Labels& labels)
   return *std::max_element(labels.begin(), labels.end()) + 1;
 }
 
-double number_of_pairs(std::size_t n)
-{
-  return double(n) * (double(n) - 1) / 2;
-}
-
 // The share of the pairs of faces that are in one segment by one labelling and in two by the other.
 double disagreement(const Labels& first, const Labels& second)
 {
-  std::map<std::size_t, std::size_t> in_first, in_second;
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> in_both;
-  for (std::size_t f = 0; f < first.size(); ++f)
-  {
-    ++in_first[first[f]];
-    ++in_second[second[f]];
-    ++in_both[{first[f], second[f]}];
-  }
-  double sum = 0;
-  for (const auto& [label, count] : in_first)
-    sum += number_of_pairs(count);
-  for (const auto& [label, count] : in_second)
-    sum += number_of_pairs(count);
-  for (const auto& [labels, count] : in_both)
-    sum -= 2 * number_of_pairs(count);
-  return sum / number_of_pairs(first.size());
+  namespace internal = CGAL::Protrusion_segmentation::internal;
+  const std::vector<double> areas(first.size(), 1); // which make no difference
+  return internal::rand_index_error(internal::Segment_overlap(first, second, areas));
 }
 
 // What one method does with all meshes after one change.

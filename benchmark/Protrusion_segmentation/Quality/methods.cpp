@@ -5,13 +5,12 @@
 #include "methods.h"
 
 #include "ablation_methods.h"
+#include "named_methods.h"
 #include "peers.h"
 #include "protrusion_methods.h"
 
 #include <algorithm>
 #include <iterator>
-#include <sstream>
-#include <stdexcept>
 
 namespace {
 
@@ -35,18 +34,10 @@ std::vector<Segmentation_method> all_methods()
 std::vector<Segmentation_method> chosen_methods(const std::string& list)
 {
   const std::vector<Segmentation_method> all = all_methods();
+  if(!list.empty())
+    return named_methods(all, list);
   std::vector<Segmentation_method> result;
-  if(list.empty())
-    std::copy_if(all.begin(), all.end(), std::back_inserter(result),
-                 [](const Segmentation_method& m) { return m.runs_by_default; });
-  std::istringstream in(list);
-  for(std::string name; std::getline(in, name, ','); )
-  {
-    const auto method = std::find_if(all.begin(), all.end(), [&](const Segmentation_method& m)
-                                     { return m.name == name; });
-    if(method == all.end())
-      throw std::invalid_argument("there is no method '" + name + "'");
-    result.push_back(*method);
-  }
+  std::copy_if(all.begin(), all.end(), std::back_inserter(result),
+               [](const Segmentation_method& m) { return m.runs_by_default; });
   return result;
 }

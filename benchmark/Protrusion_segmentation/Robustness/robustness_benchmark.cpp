@@ -10,6 +10,7 @@
 
 #include "guarded_run.h"
 #include "markdown_tables.h"
+#include "named_methods.h"
 #include "peers.h"
 #include "protrusion_methods.h"
 
@@ -23,7 +24,6 @@
 #include <filesystem>
 #include <iostream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 
 namespace {
@@ -90,19 +90,10 @@ std::string segment(const fs::path& file, const Segmentation_method& method, std
 // Those of this package and the peer, of the names in a list.
 std::vector<Segmentation_method> chosen_methods(const std::string& list)
 {
-  std::vector<Segmentation_method> all = protrusion_methods(), result;
+  std::vector<Segmentation_method> all = protrusion_methods();
   for (const Segmentation_method& method : sdf_methods())
     all.push_back(method);
-  std::istringstream in(list);
-  for (std::string name; std::getline(in, name, ',');)
-  {
-    const auto found = std::find_if(all.begin(), all.end(), [&](const Segmentation_method& method)
-                                    { return method.name == name; });
-    if (found == all.end())
-      throw std::invalid_argument("there is no method '" + name + "'");
-    result.push_back(*found);
-  }
-  return result;
+  return named_methods(all, list);
 }
 
 std::vector<Run> run_all(const Options& options)

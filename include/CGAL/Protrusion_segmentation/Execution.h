@@ -7,6 +7,8 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Execution/Observer.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <atomic>
 #include <thread>

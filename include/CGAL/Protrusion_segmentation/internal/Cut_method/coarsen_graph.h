@@ -71,7 +71,8 @@ inline std::pair<std::vector<Weighted_dual_graph::Index>, Weighted_dual_graph::I
       if (j == i || partner[j] != unmatched || graph.area[i] + graph.area[j] > largest_area)
         continue;
       const double area = graph.area[i] * graph.area[j];
-      const double strength = area > 0 ? CGAL::square(static_cast<double>(ties[arc])) / area : (std::numeric_limits<double>::max)();
+      const double strength =
+        area > 0 ? CGAL::square(static_cast<double>(ties[arc])) / area : (std::numeric_limits<double>::max)();
       if (strength > strongest)
       {
         strongest = strength;
@@ -125,10 +126,14 @@ inline void merge_arcs(const Weighted_dual_graph& graph,
   // more than needed, but memory that is not written to costs nothing, and growing would hold all twice
   result.target.reserve(graph.target.size());
   result.first_arc.reserve(sets.number_of_groups() + 1);
-  const auto sums = {&Weighted_dual_graph::border_length, &Weighted_dual_graph::concave_border_length, &Weighted_dual_graph::capacity,
-                     &Weighted_dual_graph::curvature};
-  for (auto sum : sums)
-    (result.*sum).reserve((graph.*sum).size());
+  std::vector<std::vector<float> Weighted_dual_graph::*> sums; // of the weights that the graph has
+  for (auto sum : {&Weighted_dual_graph::border_length, &Weighted_dual_graph::concave_border_length,
+                   &Weighted_dual_graph::capacity, &Weighted_dual_graph::curvature})
+    if (!(graph.*sum).empty())
+    {
+      sums.push_back(sum);
+      (result.*sum).reserve((graph.*sum).size());
+    }
   std::vector<Index> arc_to(sets.number_of_groups(), Indexed_surface::no_face()); // if it leaves this node
   for (Index u = 0; u < sets.number_of_groups(); ++u)
   {
@@ -145,12 +150,10 @@ inline void merge_arcs(const Weighted_dual_graph& graph,
           arc = static_cast<Index>(result.target.size());
           result.target.push_back(v);
           for (auto sum : sums)
-            if (!(graph.*sum).empty())
-              (result.*sum).push_back(0);
+            (result.*sum).push_back(0);
         }
         for (auto sum : sums)
-          if (!(graph.*sum).empty())
-            (result.*sum)[arc] += (graph.*sum)[old] * (sum == &Weighted_dual_graph::curvature ? graph.border_length[old] : 1);
+          (result.*sum)[arc] += (graph.*sum)[old] * (sum == &Weighted_dual_graph::curvature ? graph.border_length[old] : 1);
       }
     result.first_arc.push_back(static_cast<Index>(result.target.size()));
   }

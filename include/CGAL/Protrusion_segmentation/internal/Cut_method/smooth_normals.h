@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Edge_conductances.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/number_utils.h>
@@ -39,15 +40,14 @@ public:
   Diffusion(const Weighted_dual_graph& graph, double time, double scale = 1)
     : m_graph(graph), m_diagonal(graph.number_of_nodes()), m_weights(graph.target.size())
   {
-    // Lengths below a hundredth of that of a mean node count as that much, see `Edge_conductances`.
-    const float shortest = static_cast<float>(0.01 / std::sqrt(static_cast<double>(graph.number_of_nodes())));
+    const float shortest = static_cast<float>(shortest_length(1, graph.number_of_nodes()));
     for (Index i = 0; i < graph.number_of_nodes(); ++i)
     {
       double sum = mass(i);
       for (Index arc : graph.arcs(i))
       {
-        const float conductance = (std::max)(graph.border_length[arc], shortest) / (std::max)(graph.length[arc], shortest);
-        m_weights[arc] = static_cast<float>(time * scale * conductance);
+        m_weights[arc] =
+          static_cast<float>(time * scale * conductance(graph.border_length[arc], graph.length[arc], shortest));
         sum += m_weights[arc];
       }
       m_diagonal[i] = static_cast<float>(sum);

@@ -20,6 +20,18 @@ namespace internal {
 //
 // Lengths below a hundredth of that of a mean face count as that much: no weight is 0 or infinite, and slivers, whose
 // centroids nearly coincide, make no solver slow.
+inline double shortest_length(double area, Indexed_surface::Index number_of_faces)
+{
+  return 0.01 * std::sqrt(area / (std::max)(number_of_faces, Indexed_surface::Index(1)));
+}
+
+template <typename Number>
+Number conductance(Number edge_length, Number arc_length, Number shortest)
+{
+  return (std::max)(edge_length, shortest) / (std::max)(arc_length, shortest);
+}
+
+// The same for the corners of a surface.
 class Edge_conductances
 {
 public:
@@ -27,7 +39,7 @@ public:
 
   explicit Edge_conductances(const Indexed_surface& surface)
     : m_surface(surface),
-      m_shortest(0.01 * std::sqrt(surface.area() / (std::max)(surface.number_of_faces(), Index(1))))
+      m_shortest(shortest_length(surface.area(), surface.number_of_faces()))
   {}
 
   // `corner` is one of a face that has a neighbour there
@@ -35,8 +47,8 @@ public:
   {
     if (!(m_shortest > 0))
       return 1; // all points are equal, or nearly
-    return (std::max)(m_surface.edge_length(face, corner), m_shortest) /
-           (std::max)(m_surface.arc_length(face, m_surface.neighbor(corner)), m_shortest);
+    return conductance(m_surface.edge_length(face, corner),
+                       m_surface.arc_length(face, m_surface.neighbor(corner)), m_shortest);
   }
 
 private:
