@@ -144,8 +144,9 @@ struct Planes_of_tip
 
   static std::vector<double> distances_on(const PS::Indexed_surface& surface)
   {
+    PS::internal::Shortest_distances shortest_distances(surface);
     std::vector<double> result;
-    PS::internal::Shortest_distances(surface)(0, result);
+    shortest_distances(0, result);
     return result;
   }
 
