@@ -163,6 +163,13 @@ void add_segmentation_options(CLI::App& app, Segmentation_options& options)
     ->type_name("T")
     ->capture_default_str();
   app.add_option("--seed", options.seed, "of all that is random")->type_name("N")->capture_default_str();
+  app
+    .add_option("--threads", options.threads,
+                std::string("that segment a mesh; the segments are the same with any number of them") +
+                  (can_use_threads() ? "" : "; not here: oneTBB was not found when this program was built"))
+    ->check(counts("number of threads"))
+    ->type_name("N")
+    ->capture_default_str();
 }
 
 void add_output_options(CLI::App& app, Command_line& command_line)

@@ -11,6 +11,10 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <charconv>
 #include <chrono>
 #include <functional>
@@ -61,17 +65,31 @@ struct Entry
   Made make;
 };
 
+template <typename Concurrency_tag, typename Method>
+std::size_t segment_by(const Method& method, const Mesh& mesh, std::vector<std::size_t>& segment_ids,
+                       const Segmentation_options& options, Recorder& record)
+{
+  const auto ids = boost::make_iterator_property_map(segment_ids.begin(), get(boost::face_index, mesh));
+  const auto np = CGAL::parameters::random_seed(options.seed).visitor(std::ref(record));
+  return options.number_of_segments
+             ? CGAL::segmentation_via_protrusion_tips<Concurrency_tag>(mesh, ids, *options.number_of_segments, method, np)
+             : CGAL::segmentation_via_protrusion_tips<Concurrency_tag>(mesh, ids, method, np);
+}
+
 template <typename Method>
 Segment segment_by(const Method& method)
 {
   return [method](const Mesh& mesh, std::vector<std::size_t>& segment_ids, const Segmentation_options& options,
                   Recorder& record)
   {
-    const auto ids = boost::make_iterator_property_map(segment_ids.begin(), get(boost::face_index, mesh));
-    const auto np = CGAL::parameters::random_seed(options.seed).visitor(std::ref(record));
-    return options.number_of_segments
-               ? CGAL::segmentation_via_protrusion_tips(mesh, ids, *options.number_of_segments, method, np)
-               : CGAL::segmentation_via_protrusion_tips(mesh, ids, method, np);
+#ifdef CGAL_LINKED_WITH_TBB
+    if (options.threads > 1)
+    {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
+      return segment_by<CGAL::Parallel_tag>(method, mesh, segment_ids, options, record);
+    }
+#endif
+    return segment_by<CGAL::Sequential_tag>(method, mesh, segment_ids, options, record);
   };
 }
 
@@ -148,7 +166,21 @@ std::vector<Choice> distances()
           {"exact", "over the faces, exactly; slow, for small meshes", {}}};
 }
 
-void check_options(const Segmentation_options& options) { make(options); }
+bool can_use_threads()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  return true;
+#else
+  return false;
+#endif
+}
+
+void check_options(const Segmentation_options& options)
+{
+  make(options);
+  if (options.threads > 1 && !can_use_threads())
+    throw std::invalid_argument("--threads: oneTBB was not found when this program was built, which has one thread");
+}
 
 Segmentation
 segment(const Mesh& mesh, const Segmentation_options& options, const Recorder::Progress& progress)
