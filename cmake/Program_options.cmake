@@ -6,8 +6,6 @@ set(components Eigen Spectra)
 if(PROTRUSION_SEGMENTATION_WITH_TBB)
   list(APPEND components TBB)
 endif()
-# With VTK, CGAL reads .vtp files too.
-find_package(VTK QUIET COMPONENTS CommonCore CommonDataModel IOLegacy IOXML)
 
 add_library(protrusion_program INTERFACE)
 target_link_libraries(protrusion_program INTERFACE CGAL::Protrusion_segmentation)
