@@ -26,7 +26,8 @@ if(PROTRUSION_SEGMENTATION_SANITIZERS)
     -fsanitize=${PROTRUSION_SEGMENTATION_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   # CGAL's reader of OFF files converts every number to an index, negative ones too, which are refused later.
   target_compile_options(protrusion_program INTERFACE
-    $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=float-cast-overflow>)
+    $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=float-cast-overflow>
+    $<$<CXX_COMPILER_ID:Clang>:-fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/not_sanitized.txt>)
   target_link_options(protrusion_program INTERFACE
     -fsanitize=${PROTRUSION_SEGMENTATION_SANITIZERS})
 endif()
