@@ -11,6 +11,8 @@
 #include "bootstrap.h"
 #include "comparison.h"
 
+#include <CGAL/boost/graph/generators.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -25,8 +27,7 @@
 
 namespace fs = std::filesystem;
 
-namespace
-{
+namespace {
 
 void test_means()
 {
@@ -78,7 +79,9 @@ void test_seed()
   CHECK_EQUAL(bootstrap_mean(values, 1).high, bootstrap_mean(values, 1).high);
 }
 
-Model_results results_of(int model, const std::string& name, const std::vector<std::optional<double>>& errors)
+Model_results results_of(int model,
+                         const std::string& name,
+                         const std::vector<std::optional<double>>& errors)
 {
   Model_results result;
   result.model = model;
@@ -99,7 +102,8 @@ void test_comparison()
   for (int i = 0; i < 20; ++i)
   {
     const double error = 0.05 * (i % 7);
-    models.push_back(results_of(i + 1, i < 10 ? "A" : "B", {error, error + 0.1, error + (i % 2 ? 0.1 : -0.1)}));
+    models.push_back(
+      results_of(i + 1, i < 10 ? "A" : "B", {error, error + 0.1, error + (i % 2 ? 0.1 : -0.1)}));
   }
   models.push_back(results_of(21, "B", {0.1, std::nullopt, 0.1}));
   const Results results({"a", "b", "c"}, models);
@@ -140,7 +144,8 @@ void test_classes()
   CHECK_EQUAL(own.of_model(200), "People");
   CHECK_EQUAL(own.of_model(201), "Animals");
   CHECK_THROWS(own.of_model(301), std::invalid_argument);
-  for (const char* wrong : {"People", "People=", "People=1", "People=1-", "=1-2", "People=2-1", "People=1-2x", "A=1-2,,"})
+  for (const char* wrong :
+       {"People", "People=", "People=1", "People=1-", "=1-2", "People=2-1", "People=1-2x", "A=1-2,,"})
     CHECK_THROWS_WITH(Model_classes(wrong), std::invalid_argument, wrong);
 }
 
@@ -196,7 +201,9 @@ void test_minimum_cuts()
 class Work_folder
 {
 public:
-  Work_folder() : m_path(fs::temp_directory_path() / ("test_quality_benchmark." + std::to_string(std::random_device()())))
+  Work_folder()
+    : m_path(fs::temp_directory_path() /
+             ("test_quality_benchmark." + std::to_string(std::random_device()())))
   {
     fs::create_directories(m_path);
   }
@@ -204,7 +211,10 @@ public:
   Work_folder& operator=(const Work_folder&) = delete;
   ~Work_folder() { fs::remove_all(m_path); }
 
-  std::string path(const std::string& name = "") const { return name.empty() ? m_path.string() : (m_path / name).string(); }
+  std::string path(const std::string& name = "") const
+  {
+    return name.empty() ? m_path.string() : (m_path / name).string();
+  }
   void write(const std::string& name, const std::string& text) const
   {
     fs::create_directories((m_path / name).parent_path());

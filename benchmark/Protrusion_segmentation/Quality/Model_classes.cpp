@@ -11,8 +11,9 @@ Model_classes::Model_classes()
 {
   const int models_per_class = 20;
   // The benchmark dropped a class: numbers 261 to 280 are not used.
-  const char* names[] = {"Human", "Cup",  "Glasses", "Airplane", "Ant",       "Chair", "Octopus", "Table",   "Teddy", "Hand",
-                         "Plier", "Fish", "Bird",    nullptr,    "Armadillo", "Bust",  "Mech",    "Bearing", "Vase",  "FourLeg"};
+  const char* names[] = {"Human",     "Cup",   "Glasses", "Airplane", "Ant",  "Chair",  "Octopus",
+                         "Table",     "Teddy", "Hand",    "Plier",    "Fish", "Bird",   nullptr,
+                         "Armadillo", "Bust",  "Mech",    "Bearing",  "Vase", "FourLeg"};
   int first = 1;
   for (const char* name : names)
   {
@@ -30,8 +31,9 @@ Model_classes::Model_classes(const std::string& text)
     std::istringstream range(part);
     Class next{"", 0, 0};
     char dash = 0;
-    const bool is_read = std::getline(range, next.name, '=') && range >> next.first >> dash >> next.last &&
-                         dash == '-' && (range >> std::ws).eof();
+    const bool is_read = std::getline(range, next.name, '=') &&
+                         range >> next.first >> dash >> next.last && dash == '-' &&
+                         (range >> std::ws).eof();
     if (!is_read || next.name.empty() || next.first > next.last)
       throw std::invalid_argument("the classes '" + text + "' are not like People=1-200,Animals=201-300");
     m_classes.push_back(next);

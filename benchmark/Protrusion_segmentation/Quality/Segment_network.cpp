@@ -46,7 +46,8 @@ void Segment_network::set_terminal(std::size_t node, std::size_t terminal, doubl
   m_capacities[is_sink ? arc : get(boost::edge_index, m_graph, m_opposites[arc])] = capacity;
 }
 
-std::vector<bool> Segment_network::side_of(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second)
+std::vector<bool> Segment_network::side_of(const std::vector<std::size_t>& first,
+                                           const std::vector<std::size_t>& second)
 {
   const std::size_t source = m_number_of_nodes, sink = m_number_of_nodes + 1;
   for (const std::size_t node : first)

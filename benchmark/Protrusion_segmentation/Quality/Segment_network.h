@@ -27,7 +27,8 @@ public:
 
   // The side of the nodes `first` of the cheapest cut that parts them from the nodes `second`. Each of the lists has a
   // node, and none is in both.
-  std::vector<bool> side_of(const std::vector<std::size_t>& first, const std::vector<std::size_t>& second);
+  std::vector<bool> side_of(const std::vector<std::size_t>& first,
+                            const std::vector<std::size_t>& second);
 
 private:
   using Graph = boost::compressed_sparse_row_graph<boost::directedS>;

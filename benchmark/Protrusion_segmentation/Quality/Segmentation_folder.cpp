@@ -26,8 +26,8 @@ bool is_segmentation(const fs::path& file)
 bool has_segmentations(const std::string& path)
 {
   const fs::recursive_directory_iterator files(path);
-  return std::any_of(begin(files), end(files), [](const fs::directory_entry& entry)
-                     { return is_segmentation(entry.path()); });
+  return std::any_of(begin(files), end(files),
+                     [](const fs::directory_entry& entry) { return is_segmentation(entry.path()); });
 }
 
 fs::path segmentation_file(const std::string& path, int model)
@@ -70,7 +70,8 @@ Segmentation_folder::Segmentation_folder(const std::string& name_and_path)
   const std::size_t sign = name_and_path.find('=');
   m_name = name_and_path.substr(0, sign);
   if (sign == std::string::npos || m_name.empty() || m_name.find_first_of(" ,|") != std::string::npos)
-    throw std::invalid_argument("'" + name_and_path + "' is not NAME=FOLDER with a name without blanks, commas and bars");
+    throw std::invalid_argument("'" + name_and_path +
+                                "' is not NAME=FOLDER with a name without blanks, commas and bars");
   m_path = name_and_path.substr(sign + 1);
   if (!fs::is_directory(m_path))
     throw std::invalid_argument(m_path + ": is no folder");

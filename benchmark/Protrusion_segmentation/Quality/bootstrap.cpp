@@ -22,7 +22,8 @@ std::vector<double> drawn_again(const std::vector<double>& values, std::mt19937&
   std::vector<double> result;
   result.reserve(values.size());
   for (std::size_t i = 0; i < values.size(); ++i)
-    result.push_back(values[random() % values.size()]); // std::uniform_int_distribution differs between libraries
+    result.push_back(
+      values[random() % values.size()]); // std::uniform_int_distribution differs between libraries
   return result;
 }
 

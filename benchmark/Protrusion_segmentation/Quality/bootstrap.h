@@ -7,7 +7,8 @@
 //   Bradley Efron and Robert J. Tibshirani: An Introduction to the Bootstrap. Chapman & Hall, 1993
 //
 // The classes are given, the models of a class are a sample of it: models are drawn again within their classes. As
-// classes of ten models are small, the intervals are a little too short (by about one part in twenty).
+// classes of ten models are small, the intervals are a little too short (by about one part in twenty); a class of one model
+// seems to be certain, so that intervals on a few models say little.
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_BOOTSTRAP_H
 #define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_BOOTSTRAP_H

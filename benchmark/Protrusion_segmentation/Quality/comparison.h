@@ -14,7 +14,9 @@
 #include <optional>
 
 // Of a row's scores; no value if no model has one.
-std::optional<Mean_with_interval> mean_with_interval(const Results& results, std::size_t row, Score score);
+std::optional<Mean_with_interval> mean_with_interval(const Results& results,
+                                                     std::size_t row,
+                                                     Score score);
 
 struct Comparison
 {
@@ -23,6 +25,9 @@ struct Comparison
 };
 
 // No value if no model has a score of both.
-std::optional<Comparison> comparison(const Results& results, std::size_t first, std::size_t second, Score score);
+std::optional<Comparison> comparison(const Results& results,
+                                     std::size_t first,
+                                     std::size_t second,
+                                     Score score);
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_COMPARISON_H

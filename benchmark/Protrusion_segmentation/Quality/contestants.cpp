@@ -16,7 +16,8 @@ namespace {
 
 Contestant contestant(const Segmentation_method& method)
 {
-  return {method.name, [method](const Model& model, unsigned int seed) -> Timed_labels
+  return {method.name,
+          [method](const Model& model, unsigned int seed) -> Timed_labels
           {
             const double begin = processor_seconds();
             Labels labels = method.segment(model.mesh, model.number_of_segments, seed);
@@ -26,18 +27,21 @@ Contestant contestant(const Segmentation_method& method)
 
 Contestant contestant(const Segmentation_folder& folder)
 {
-  return {folder.name(), [folder](const Model& model, unsigned int) -> Timed_labels
-          { return {folder.labels(model.number, model.mesh), folder.seconds(model.number)}; }};
+  return {folder.name(), [folder](const Model& model, unsigned int) -> Timed_labels {
+            return {folder.labels(model.number, model.mesh), folder.seconds(model.number)};
+          }};
 }
 
 bool has_name(const std::vector<Contestant>& contestants, const std::string& name)
 {
-  return std::any_of(contestants.begin(), contestants.end(), [&](const Contestant& c) { return c.name == name; });
+  return std::any_of(contestants.begin(), contestants.end(),
+                     [&](const Contestant& c) { return c.name == name; });
 }
 
 } // namespace
 
-std::vector<Contestant> chosen_contestants(const std::string& list, const std::vector<std::string>& folders)
+std::vector<Contestant> chosen_contestants(const std::string& list,
+                                           const std::vector<std::string>& folders)
 {
   std::vector<Contestant> all, result;
   for (const Segmentation_method& method : all_methods())

@@ -31,6 +31,7 @@ struct Contestant
 // `folders` are NAME=FOLDER, see Segmentation_folder.h: the list may name them as well, and those that it does not
 // name come last.
 // Throws `std::invalid_argument` if a name is unknown, or has more than one meaning.
-std::vector<Contestant> chosen_contestants(const std::string& list, const std::vector<std::string>& folders);
+std::vector<Contestant> chosen_contestants(const std::string& list,
+                                           const std::vector<std::string>& folders);
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_CONTESTANTS_H

@@ -10,10 +10,11 @@
 // as far as the article allows: the decimated mesh is laid out in space so that straight distances are near to those
 // along it (multidimensional scaling), and bent limbs are stretched; feature points are on the convex hull of that, and
 // farther from all other faces than their neighbors; what lies on the hull when all is turned inside out in a sphere is
-// the core, and grows until the feature points are parted; the borders are moved to minimum cuts.
+// the core, and grows until some feature points are parted; pieces with several are split in turn, and what lies between
+// them is a segment; the borders are moved to minimum cuts.
 //
-// What is different: classical scaling instead of an iterative one; one level instead of a hierarchy; and if more
-// segments are found than are asked for, the smallest ones are left to the core. There may be fewer.
+// What is different: classical scaling instead of an iterative one; pieces are not scaled anew; and if more segments are
+// found than are asked for, the smallest ones go to their neighbors. There may be fewer.
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_CORE_EXTRACTION_H
 #define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_CORE_EXTRACTION_H
@@ -37,7 +38,8 @@ struct Core_extraction_options
   double band = 0.4;
 };
 
-Labels core_extraction_segmentation(const Mesh& mesh, std::size_t number_of_segments,
+Labels core_extraction_segmentation(const Mesh& mesh,
+                                    std::size_t number_of_segments,
                                     const Core_extraction_options& options = Core_extraction_options());
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_CORE_EXTRACTION_H

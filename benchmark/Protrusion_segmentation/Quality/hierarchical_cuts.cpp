@@ -23,7 +23,8 @@ double cost_of_angle(const Mesh& mesh, Halfedge h, double exponent)
   const double pi = 4 * std::atan(1.);
   const Vector normal = PMP::compute_face_normal(mesh.face(h), mesh);
   const Vector other_normal = PMP::compute_face_normal(mesh.face(mesh.opposite(h)), mesh);
-  const Vector to_other_tip = mesh.point(mesh.target(mesh.next(mesh.opposite(h)))) - mesh.point(mesh.target(h));
+  const Vector to_other_tip = mesh.point(mesh.target(mesh.next(mesh.opposite(h)))) -
+                              mesh.point(mesh.target(h));
   if (normal * to_other_tip <= 0)
     return 1;
   const double angle = std::acos(std::clamp(normal * other_normal, -1., 1.));
@@ -40,8 +41,10 @@ std::vector<Seam> all_seams(const Mesh& mesh, double exponent)
     if (mesh.is_border(e))
       continue;
     const Halfedge h = mesh.halfedge(e);
-    const double length = std::sqrt(CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
-    seams.push_back({mesh.face(h), mesh.face(mesh.opposite(h)), length, length * cost_of_angle(mesh, h, exponent)});
+    const double length = std::sqrt(
+      CGAL::squared_distance(mesh.point(mesh.source(h)), mesh.point(mesh.target(h))));
+    seams.push_back(
+      {mesh.face(h), mesh.face(mesh.opposite(h)), length, length * cost_of_angle(mesh, h, exponent)});
   }
   return seams;
 }
@@ -54,8 +57,10 @@ std::vector<double> face_areas(const Mesh& mesh)
   return areas;
 }
 
-Segment_faces::Segment_faces(const std::vector<Seam>& all_seams, const std::vector<double>& all_areas,
-                             const Labels& labels, std::size_t label)
+Segment_faces::Segment_faces(const std::vector<Seam>& all_seams,
+                             const std::vector<double>& all_areas,
+                             const Labels& labels,
+                             std::size_t label)
 {
   std::vector<std::size_t> number(labels.size());
   for (std::size_t f = 0; f < labels.size(); ++f)
@@ -81,7 +86,8 @@ double normalized_cost(const Segment_faces& segment, const std::vector<bool>& si
   return cost / area + cost / (segment.area - area);
 }
 
-Labels split_best_first(const Mesh& mesh, std::size_t number_of_segments,
+Labels split_best_first(const Mesh& mesh,
+                        std::size_t number_of_segments,
                         const std::function<Split(const Labels&, std::size_t label)>& split_of)
 {
   Labels labels(mesh.number_of_faces());

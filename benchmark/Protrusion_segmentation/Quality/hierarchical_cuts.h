@@ -31,7 +31,9 @@ std::vector<double> face_areas(const Mesh& mesh);
 // The faces of a segment, numbered by themselves.
 struct Segment_faces
 {
-  Segment_faces(const std::vector<Seam>& all_seams, const std::vector<double>& all_areas, const Labels& labels,
+  Segment_faces(const std::vector<Seam>& all_seams,
+                const std::vector<double>& all_areas,
+                const Labels& labels,
                 std::size_t label);
 
   std::vector<std::size_t> faces; // of the mesh
@@ -52,7 +54,8 @@ struct Split
 
 // Begins with the connected components and splits the segment with the largest value until there are as many as asked
 // for, or none can be split.
-Labels split_best_first(const Mesh& mesh, std::size_t number_of_segments,
+Labels split_best_first(const Mesh& mesh,
+                        std::size_t number_of_segments,
                         const std::function<Split(const Labels&, std::size_t label)>& split_of);
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_HIERARCHICAL_CUTS_H

@@ -23,7 +23,8 @@ inline std::string cell(const Value& value, int digits, bool signed_value = fals
   if (!value)
     return "-";
   std::ostringstream out;
-  out << (signed_value ? std::showpos : std::noshowpos) << std::fixed << std::setprecision(digits) << *value;
+  out << (signed_value ? std::showpos : std::noshowpos) << std::fixed << std::setprecision(digits)
+      << *value;
   return out.str();
 }
 

@@ -13,7 +13,6 @@
 #include "randomized_cuts.h"
 #include "spectral_cuts.h"
 
-#include <cstdlib>
 #include <random>
 
 namespace {
@@ -32,14 +31,8 @@ Labels voronoi_segmentation(const Mesh& mesh, std::size_t number_of_segments, un
 
 std::vector<Segmentation_method> clustering_methods()
 {
-  Randomized_cuts_options o; // EXPERIMENT
-  auto env = [](const char* n, double d) { const char* v = std::getenv(n); return v ? std::atof(v) : d; };
-  o.faces = std::size_t(env("RC_FACES", double(o.faces))); o.cuts = std::size_t(env("RC_CUTS", double(o.cuts)));
-  o.places = std::size_t(env("RC_PLACES", double(o.places))); o.exponent = env("RC_EXP", o.exponent);
-  o.least_share = env("RC_LOW", o.least_share); o.largest_share = env("RC_HIGH", o.largest_share);
-  o.choice = int(env("RC_CHOICE", o.choice));
-  return {{"Randomized-cuts", [o](const Mesh& mesh, std::size_t number_of_segments, unsigned int seed)
-                              { return randomized_cuts_segmentation(mesh, number_of_segments, seed, o); }},
+  return {{"Randomized-cuts", [](const Mesh& mesh, std::size_t number_of_segments, unsigned int seed)
+                              { return randomized_cuts_segmentation(mesh, number_of_segments, seed); }},
           {"Spectral-cuts", [](const Mesh& mesh, std::size_t number_of_segments, unsigned int)
                             { return spectral_cuts_segmentation(mesh, number_of_segments); }},
 #ifdef PROTRUSION_SEGMENTATION_HAS_PCL

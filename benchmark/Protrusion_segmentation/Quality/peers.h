@@ -11,7 +11,8 @@
 
 #include <vector>
 
-// K-Means, see k_means.h; farthest-point Voronoi cells (the paper's step 2 with no borders looked
+// Each of its own header: randomized cuts, spectral cuts, core extraction, planar cuts if the benchmark was configured with
+// the library that has them, K-Means. And farthest-point Voronoi cells (the paper's step 2 with no borders looked
 // for); one segment for the whole mesh.
 std::vector<Segmentation_method> clustering_methods();
 

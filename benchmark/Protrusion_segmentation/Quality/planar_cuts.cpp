@@ -82,15 +82,18 @@ Cloud cloud_on(const Mesh& mesh, std::size_t number, unsigned int seed)
 }
 
 // The number of the segment of most points of each face.
-Labels labels_of_faces(const Cloud& cloud, const pcl::PointCloud<pcl::PointXYZL>& labelled, std::size_t number_of_faces)
+Labels labels_of_faces(const Cloud& cloud,
+                       const pcl::PointCloud<pcl::PointXYZL>& labelled,
+                       std::size_t number_of_faces)
 {
   std::vector<std::map<std::uint32_t, std::size_t>> votes(number_of_faces);
   for (std::size_t i = 0; i < cloud.faces.size(); ++i)
     ++votes[cloud.faces[i]][labelled[i].label];
   Labels labels;
   for (const auto& of_face : votes)
-    labels.push_back(std::max_element(of_face.begin(), of_face.end(), [](const auto& a, const auto& b)
-                                      { return a.second < b.second; })->first);
+    labels.push_back(std::max_element(of_face.begin(), of_face.end(),
+                                      [](const auto& a, const auto& b) { return a.second < b.second; })
+                       ->first);
   return labels;
 }
 
@@ -98,7 +101,8 @@ class Planar_cutter
 {
 public:
   Planar_cutter(const Cloud& cloud, const Planar_cuts_options& options)
-    : m_options(options), m_supervoxels(float(options.voxel), float(options.supervoxel))
+    : m_options(options),
+      m_supervoxels(float(options.voxel), float(options.supervoxel))
   {
     m_supervoxels.setUseSingleCameraTransform(false);
     m_supervoxels.setInputCloud(cloud.points);
@@ -120,7 +124,7 @@ public:
     segmentation.setInputSupervoxels(m_clusters, m_neighbors);
     segmentation.setMinSegmentSize(3);
     segmentation.setCutting(25, m_options.least_links, least_score, true, true, false);
-    segmentation.setRANSACIterations(300);
+    segmentation.setRANSACIterations(m_options.planes);
     segmentation.segment();
     pcl::PointCloud<pcl::PointXYZL> result = *m_supervoxels.getLabeledCloud();
     segmentation.relabelCloud(result);
@@ -136,7 +140,9 @@ private:
 
 } // namespace
 
-Labels planar_cuts_segmentation(const Mesh& mesh, std::size_t number_of_segments, unsigned int seed,
+Labels planar_cuts_segmentation(const Mesh& mesh,
+                                std::size_t number_of_segments,
+                                unsigned int seed,
                                 const Planar_cuts_options& options)
 {
   pcl::console::setVerbosityLevel(pcl::console::L_ERROR);
@@ -144,11 +150,13 @@ Labels planar_cuts_segmentation(const Mesh& mesh, std::size_t number_of_segments
   const Planar_cutter cutter(cloud, options);
   Labels best;
   std::size_t least = (std::numeric_limits<std::size_t>::max)();
-  for (const float least_score : {0.64f, 0.32f, 0.16f, 0.08f, 0.04f, 0.02f}) // 0.16 is the library's default
+  for (const float least_score :
+       {0.64f, 0.32f, 0.16f, 0.08f, 0.04f, 0.02f}) // 0.16 is the library's default
   {
     Labels labels = labels_of_faces(cloud, cutter.labelled(least_score), mesh.number_of_faces());
     const std::size_t number = std::set<std::size_t>(labels.begin(), labels.end()).size();
-    const std::size_t difference = number > number_of_segments ? number - number_of_segments : number_of_segments - number;
+    const std::size_t difference = number > number_of_segments ? number - number_of_segments
+                                                               : number_of_segments - number;
     if (difference >= least)
       continue;
     least = difference;

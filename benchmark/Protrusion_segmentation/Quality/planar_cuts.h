@@ -26,9 +26,13 @@ struct Planar_cuts_options
   double voxel = 0.012, supervoxel = 0.04;
   // Least number of links between supervoxels in a segment that is cut.
   unsigned int least_links = 60;
+  // Planes tried for a cut; the library's 10,000 take too long.
+  unsigned int planes = 2000;
 };
 
-Labels planar_cuts_segmentation(const Mesh& mesh, std::size_t number_of_segments, unsigned int seed,
+Labels planar_cuts_segmentation(const Mesh& mesh,
+                                std::size_t number_of_segments,
+                                unsigned int seed,
                                 const Planar_cuts_options& options = Planar_cuts_options());
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_PLANAR_CUTS_H

@@ -45,7 +45,9 @@ class Segment_cuts
 {
 public:
   Segment_cuts(const Segment_faces& segment, const Randomized_cuts_options& options, std::mt19937& random)
-    : m_segment(segment), m_options(options), m_random(random)
+    : m_segment(segment),
+      m_options(options),
+      m_random(random)
   {}
 
   void make(const std::function<std::vector<double>(std::size_t face)>& distances_from)
@@ -70,6 +72,12 @@ public:
     return best == m_sides.end() ? std::vector<bool>() : *best;
   }
 
+private:
+  static bool is_cut(const Seam& seam, const std::vector<bool>& side)
+  {
+    return side[seam.a] != side[seam.b];
+  }
+
   // Mean share of the cuts that run through the edges of this one, by length.
   double consistency(const std::vector<bool>& side) const
   {
@@ -83,9 +91,6 @@ public:
     return length > 0 ? sum / length : 0;
   }
 
-private:
-  static bool is_cut(const Seam& seam, const std::vector<bool>& side) { return side[seam.a] != side[seam.b]; }
-
   void add_place(const std::function<std::vector<double>(std::size_t face)>& distances_from)
   {
     Place place;
@@ -93,8 +98,8 @@ private:
     place.distances = distances_from(place.face);
     place.order.resize(m_segment.faces.size());
     std::iota(place.order.begin(), place.order.end(), std::size_t(0));
-    std::sort(place.order.begin(), place.order.end(), [&](std::size_t a, std::size_t b)
-              { return place.distances[a] < place.distances[b]; });
+    std::sort(place.order.begin(), place.order.end(),
+              [&](std::size_t a, std::size_t b) { return place.distances[a] < place.distances[b]; });
     m_places.push_back(std::move(place));
   }
 
@@ -129,8 +134,9 @@ private:
     std::vector<bool> is_first(m_segment.faces.size(), false);
     for (const std::size_t i : first_core)
       is_first[i] = true;
-    second_core.erase(std::remove_if(second_core.begin(), second_core.end(), [&](std::size_t i) { return is_first[i]; }),
-                      second_core.end());
+    second_core.erase(
+      std::remove_if(second_core.begin(), second_core.end(), [&](std::size_t i) { return is_first[i]; }),
+      second_core.end());
     if (!second_core.empty())
       m_sides.push_back(network.side_of(first_core, second_core));
   }
@@ -153,7 +159,9 @@ private:
 
 } // namespace
 
-Labels randomized_cuts_segmentation(const Mesh& mesh, std::size_t number_of_segments, unsigned int seed,
+Labels randomized_cuts_segmentation(const Mesh& mesh,
+                                    std::size_t number_of_segments,
+                                    unsigned int seed,
                                     const Randomized_cuts_options& options)
 {
   const Mesh small = decimated(mesh, options.faces);
@@ -168,21 +176,22 @@ Labels randomized_cuts_segmentation(const Mesh& mesh, std::size_t number_of_segm
     if (segment.faces.size() < options.least_faces)
       return {};
     Segment_cuts cuts(segment, options, random);
-    cuts.make([&](std::size_t face)
-    {
-      const std::vector<double> of_all = graph.distances_within(labels, segment.faces[face]);
-      std::vector<double> distances;
-      for (const std::size_t f : segment.faces)
-        distances.push_back(of_all[f]);
-      return distances;
-    });
+    cuts.make(
+      [&](std::size_t face)
+      {
+        const std::vector<double> of_all = graph.distances_within(labels, segment.faces[face]);
+        std::vector<double> distances;
+        for (const std::size_t f : segment.faces)
+          distances.push_back(of_all[f]);
+        return distances;
+      });
     const std::vector<bool> side = cuts.most_consistent();
     Split split;
     for (std::size_t i = 0; i < side.size(); ++i)
       if (side[i])
         split.faces.push_back(segment.faces[i]);
     if (!split.faces.empty())
-      split.value = options.choice == 0 ? cuts.consistency(side) : -normalized_cost(segment, side);
+      split.value = -normalized_cost(segment, side);
     return split;
   };
   return labels_from_decimated(mesh, small, split_best_first(small, number_of_segments, split_of));

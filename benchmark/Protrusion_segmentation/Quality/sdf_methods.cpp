@@ -23,7 +23,8 @@ public:
   {
     thread_local Shape_diameters the_last;
     const std::vector<Point> points(mesh.points().begin(), mesh.points().end());
-    the_last.m_is_reused = points == the_last.m_points && mesh.number_of_faces() == the_last.m_values.size();
+    the_last.m_is_reused = points == the_last.m_points &&
+                           mesh.number_of_faces() == the_last.m_values.size();
     if (!the_last.m_is_reused)
       the_last.compute(mesh, points);
     return the_last;
@@ -35,8 +36,8 @@ public:
   Labels segmentation(const Mesh& mesh, std::size_t number_of_clusters, double smoothness)
   {
     Labels labels(mesh.number_of_faces(), 0);
-    CGAL::segmentation_from_sdf_values(mesh, CGAL::make_property_map(m_values), CGAL::make_property_map(labels),
-                                       number_of_clusters, smoothness);
+    CGAL::segmentation_from_sdf_values(mesh, CGAL::make_property_map(m_values),
+                                       CGAL::make_property_map(labels), number_of_clusters, smoothness);
     the_seconds_saved() = m_is_reused ? m_seconds : 0;
     return labels;
   }
@@ -76,7 +77,8 @@ std::size_t number_of_segments(const Labels& labels)
 // as shapes are left in one piece otherwise.
 Labels segmentation_nearest_to(const Mesh& mesh, std::size_t k)
 {
-  constexpr std::size_t most_clusters = 10; // at 10 and a smoothness of 0.26, two models in five are one segment
+  constexpr std::size_t most_clusters =
+    10; // at 10 and a smoothness of 0.26, two models in five are one segment
   Labels best;
   std::size_t least = (std::numeric_limits<std::size_t>::max)();
   Shape_diameters& diameters = Shape_diameters::of(mesh);
@@ -96,7 +98,8 @@ Labels segmentation_nearest_to(const Mesh& mesh, std::size_t k)
 
 Segmentation_method fixed(const std::string& name, std::size_t number_of_clusters, double smoothness)
 {
-  return {name, [=](const Mesh& mesh, std::size_t, unsigned int)
+  return {name,
+          [=](const Mesh& mesh, std::size_t, unsigned int)
           { return Shape_diameters::of(mesh).segmentation(mesh, number_of_clusters, smoothness); },
           true, &Shape_diameters::seconds_saved};
 }
@@ -105,7 +108,9 @@ Segmentation_method fixed(const std::string& name, std::size_t number_of_cluster
 
 std::vector<Segmentation_method> sdf_methods()
 {
-  return {fixed("SDF-5-0.26", 5, 0.26), fixed("SDF-3-0.1", 3, 0.1),
-          {"SDF-k", [](const Mesh& mesh, std::size_t k, unsigned int) { return segmentation_nearest_to(mesh, k); },
+  return {fixed("SDF-5-0.26", 5, 0.26),
+          fixed("SDF-3-0.1", 3, 0.1),
+          {"SDF-k",
+           [](const Mesh& mesh, std::size_t k, unsigned int) { return segmentation_nearest_to(mesh, k); },
            true, &Shape_diameters::seconds_saved}};
 }

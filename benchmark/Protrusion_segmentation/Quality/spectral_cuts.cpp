@@ -50,7 +50,8 @@ std::vector<double> fiedler_vector(const Segment_faces& segment)
   const double shift = -1e-6 * matrix.diagonal().mean();
   const int wanted = 2, space = (std::min)(20, int(segment.faces.size()));
   Spectra::SparseSymShiftSolve<double> operation(matrix);
-  Spectra::SymEigsShiftSolver<Spectra::SparseSymShiftSolve<double>> solver(operation, wanted, space, shift);
+  Spectra::SymEigsShiftSolver<Spectra::SparseSymShiftSolve<double>> solver(operation, wanted, space,
+                                                                           shift);
   solver.init();
   if (solver.compute() < wanted)
     return {};
@@ -67,7 +68,8 @@ std::vector<bool> best_beginning(const Segment_faces& segment, const std::vector
 {
   std::vector<std::size_t> order(values.size()), rank(values.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
   for (std::size_t i = 0; i < order.size(); ++i)
     rank[order[i]] = i;
   std::vector<double> changes(values.size(), 0.); // of the cost, when a face is taken in
@@ -130,7 +132,9 @@ Split spectral_split(const Segment_faces& segment)
 
 } // namespace
 
-Labels spectral_cuts_segmentation(const Mesh& mesh, std::size_t number_of_segments, const Spectral_cuts_options& options)
+Labels spectral_cuts_segmentation(const Mesh& mesh,
+                                  std::size_t number_of_segments,
+                                  const Spectral_cuts_options& options)
 {
   const Mesh small = decimated(mesh, options.faces);
   const std::vector<Seam> seams = all_seams(small, options.exponent);

@@ -28,7 +28,8 @@ struct Spectral_cuts_options
   std::size_t least_faces = 8;
 };
 
-Labels spectral_cuts_segmentation(const Mesh& mesh, std::size_t number_of_segments,
+Labels spectral_cuts_segmentation(const Mesh& mesh,
+                                  std::size_t number_of_segments,
                                   const Spectral_cuts_options& options = Spectral_cuts_options());
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_SPECTRAL_CUTS_H
