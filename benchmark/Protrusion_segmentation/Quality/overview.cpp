@@ -71,7 +71,7 @@ void write_comparisons_of(std::ostream& out,
                           Score score,
                           const std::string& title)
 {
-  out << "## " << title << ": intervals\n\n";
+  out << "## Intervals of the " << title << "\n\n";
   Cells headings = {"method", "mean"};
   for (const std::string& heading : headings_of_comparison(results))
     headings.push_back(heading);
@@ -159,9 +159,9 @@ void write_overview(std::ostream& out, const Results& results)
 
 void write_comparisons(std::ostream& out, const Results& results)
 {
-  write_comparisons_of(out, results, Score::rand_index_error, "Rand index");
-  write_comparisons_of(out, results, Score::hamming_distance, "Hamming");
-  write_comparisons_of(out, results, Score::cut_discrepancy, "Cut");
+  write_comparisons_of(out, results, Score::rand_index_error, "Rand index error");
+  write_comparisons_of(out, results, Score::hamming_distance, "Hamming distance");
+  write_comparisons_of(out, results, Score::cut_discrepancy, "cut discrepancy");
 }
 
 void write_cells_won(std::ostream& out, const Results& results)

@@ -27,7 +27,7 @@ struct Planar_cuts_options
   // Least number of links between supervoxels in a segment that is cut.
   unsigned int least_links = 60;
   // Planes tried for a cut; the library's 10,000 take too long.
-  unsigned int planes = 2000;
+  unsigned int planes = 600;
 };
 
 Labels planar_cuts_segmentation(const Mesh& mesh,
