@@ -272,6 +272,7 @@ private:
         labels[f] = side[f] ? label : other;
   }
 
+  const Core_extraction_options& m_options;
   Face_distance_graph m_graph;
   Distances m_distances;
   std::vector<Seam> m_seams;
