@@ -43,25 +43,26 @@ bool has_name(const std::vector<Contestant>& contestants, const std::string& nam
 std::vector<Contestant> chosen_contestants(const std::string& list,
                                            const std::vector<std::string>& folders)
 {
-  std::vector<Contestant> all, result;
-  for (const Segmentation_method& method : all_methods())
-  {
-    all.push_back(contestant(method));
-    if (list.empty() && method.runs_by_default)
-      result.push_back(all.back());
-  }
-  const std::size_t number_of_methods = all.size();
+  std::vector<Contestant> of_folders, all, result;
   for (const std::string& folder : folders)
   {
     Contestant next = contestant(Segmentation_folder(folder));
-    if (has_name(all, next.name))
-      throw std::invalid_argument("the name '" + next.name + "' of segmentations is taken");
-    all.push_back(std::move(next));
+    if (has_name(of_folders, next.name))
+      throw std::invalid_argument("two folders of segmentations have the name '" + next.name + "'");
+    of_folders.push_back(std::move(next));
   }
+  all = of_folders;
+  for (const Segmentation_method& method : all_methods())
+    if (!has_name(of_folders, method.name))
+    {
+      all.push_back(contestant(method));
+      if (list.empty() && method.runs_by_default)
+        result.push_back(all.back());
+    }
   if (!list.empty())
     result = named_methods(all, list);
-  for (std::size_t i = number_of_methods; i < all.size(); ++i)
-    if (!has_name(result, all[i].name))
-      result.push_back(all[i]);
+  for (const Contestant& of_folder : of_folders)
+    if (!has_name(result, of_folder.name))
+      result.push_back(of_folder);
   return result;
 }

@@ -29,8 +29,8 @@ struct Contestant
 
 // Those that a list such as "K-Means,Voronoi" names, in its order; "" stands for all methods that run by default.
 // `folders` are NAME=FOLDER, see Segmentation_folder.h: the list may name them as well, and those that it does not
-// name come last.
-// Throws `std::invalid_argument` if a name is unknown, or has more than one meaning.
+// name come last. A folder with the name of a method takes its place: what was made once need not be made again.
+// Throws `std::invalid_argument` if a name is unknown, or two folders have one.
 std::vector<Contestant> chosen_contestants(const std::string& list,
                                            const std::vector<std::string>& folders);
 
