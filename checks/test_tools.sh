@@ -493,6 +493,26 @@ test_3MF()
   done
 }
 
+# Vertices and lines are no faces, strips are some: with VTK, or not without a word. What the tool writes is read as it was.
+test_VTP()
+{
+  run "$segment" "$data/strips.vtp" -o outputs/a.off
+  if ! "$segment" --help | grep -q "ts, vtp"; then
+    [ "$code" = 1 ] || fail "$command: is accepted"
+    expect_one_line "VTK"
+    return
+  fi
+  [ "$code" = 0 ] || fail "$command: is refused"
+  [ "$(sed -n 2p outputs/a.off | cut -d' ' -f2)" = 4 ] || fail "$command: not four faces"
+  ! grep -q "turned over" stderr || fail "$command: every other triangle of a strip is turned over"
+  expect 0 "$segment" outputs/teddy.off -k 4 -o outputs/a.vtp -o outputs/a.seg
+  expect 0 "$segment" outputs/a.vtp -k 4 -o outputs/b.seg
+  cmp -s outputs/a.seg outputs/b.seg || fail "$command: other segments than those of the mesh that was written"
+  command="strips.vtp through a pipe"
+  "$segment" - -k 2 -o - <"$data/strips.vtp" >stdout 2>stderr || fail "is refused"
+  [ "$(wc -l <stdout)" = 4 ] || fail "has not four labels"
+}
+
 test_collection()
 {
   mkdir -p meshes/inner
@@ -619,6 +639,7 @@ test_unwritable_outputs
 test_words
 test_pipes
 test_3MF
+test_VTP
 test_collection
 test_json_schema
 echo "$failures failures"

@@ -4,6 +4,8 @@
 
 #include "segmentation/segment.h"
 
+#include "command_line/number.h"
+
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Heat_distance.h>
@@ -15,13 +17,10 @@
 #include <tbb/global_control.h>
 #endif
 
-#include <charconv>
 #include <chrono>
 #include <functional>
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace tool
@@ -34,25 +33,16 @@ namespace PS = CGAL::Protrusion_segmentation;
 // Any method with its distance. A further one is one more line in a table below.
 using Segment = std::function<std::size_t(const Mesh&, std::vector<std::size_t>&, const Segmentation_options&, Recorder&)>;
 
-template <typename T>
-std::optional<T> parse(const std::string& text)
-{
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_parsed = error == std::errc() && end == text.data() + text.size();
-  return is_parsed ? std::optional<T>(value) : std::nullopt;
-}
-
 PS::Landmark_geodesic_distance landmark_distance(const std::string& landmarks)
 {
   if (!landmarks.empty() && landmarks.back() == '%')
   {
-    const auto percent = parse<double>(landmarks.substr(0, landmarks.size() - 1));
+    const auto percent = number<double>(landmarks.substr(0, landmarks.size() - 1));
     if (percent && *percent > 0 && *percent <= 100)
       return PS::Landmark_geodesic_distance(*percent / 100);
   }
-  else if (const auto number = parse<std::size_t>(landmarks); number && *number > 0)
-    return PS::Landmark_geodesic_distance::with_number_of_landmarks(*number);
+  else if (const auto count = number<std::size_t>(landmarks); count && *count > 0)
+    return PS::Landmark_geodesic_distance::with_number_of_landmarks(*count);
   throw std::invalid_argument("--landmarks: '" + landmarks +
                               "' is neither a number above 0 nor a share from above 0% to 100%");
 }
