@@ -31,6 +31,7 @@ struct Segmentation_options
   std::size_t eigenpairs = default_number_of_eigenpairs();
   double time = default_diffusion_time();
   unsigned int seed = 0;
+  std::size_t threads = 1; // no matter for the result
 };
 
 struct Segmentation
@@ -50,6 +51,9 @@ struct Findings
   double seconds_for_file = 0; // to read it and to make a surface of it
   Segmentation segmentation;
   std::string note; // empty, or why there are not as many segments as were asked for
+
+  // Unset until the segments and the report are written.
+  std::optional<double> seconds_for_writing;
 
   double seconds() const { return seconds_for_file + segmentation.seconds; }
 };

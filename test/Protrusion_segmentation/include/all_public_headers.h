@@ -21,6 +21,7 @@
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_metrics.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
+#include <CGAL/Protrusion_segmentation/bucket_shortest_paths.h>
 #include <CGAL/protrusion_segmentation.h>
 #include <CGAL/segmentation_metrics.h>
 
