@@ -7,10 +7,13 @@
 #include "repair/area_vector.h"
 #include "writing/borders.h"
 
+#include <CGAL/Protrusion_segmentation/Border_values.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +24,7 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
+using CGAL::Protrusion_segmentation::Border_values;
 
 // Added one by one: the compiler takes many times as long for nested lists in braces.
 class Object
@@ -87,6 +91,7 @@ Json describe(const Protrusion& protrusion, const Input_mesh& mesh)
     .add_if(protrusion.border_slot != Protrusion::no_slot(), "border_slot", protrusion.border_slot)
     .add("border_distance", protrusion.border_distance)
     .add("value", protrusion.value)
+    .add_if(protrusion.probability.has_value(), "probability", protrusion.probability.value_or(0))
     .add("area", protrusion.area)
     .add("border_length", protrusion.border_length)
     .add_if(!distances.empty(), "distance_histogram", distances)
@@ -133,30 +138,41 @@ Json describe_measures(const Findings& findings)
   for (std::size_t i = 0; i < ids.size(); ++i)
     areas[ids[i]] += std::sqrt(
       area_vector(input.soup.points, input.soup.polygons[input.face_in_file[i]]).squared_length());
+  const Border_values borders(findings.segmentation.record.protrusions());
   Json array = Json::array();
   for (std::size_t s = 0; s < faces.size(); ++s)
-    array.push_back(Object().add("segment", s).add("faces", faces[s]).add("area", areas[s]).take());
+    array.push_back(Object()
+                      .add("segment", s)
+                      .add("faces", faces[s])
+                      .add("area", areas[s])
+                      .add("confidence", borders.least_value(s)) // infinity becomes null
+                      .take());
   return array;
 }
 
-Json describe(const Border& border)
+Json describe(const Border& border, const Border_values& values)
 {
   Json points = Json::array();
   for (const Point& point : border.points)
     points.push_back({point.x(), point.y(), point.z()});
+  const auto [s, t] = border.segments;
+  const std::optional<double> probability = values.probability(s, t);
   Object object;
   object.add("segments", border.segments)
     .add("is_closed", border.is_closed)
     .add("length", border.length)
+    .add("value", values.value(s, t))
+    .add_if(probability.has_value(), "probability", probability.value_or(0))
     .add("points", points);
   return object.take();
 }
 
 Json describe_borders(const Findings& findings)
 {
+  const Border_values values(findings.segmentation.record.protrusions());
   Json array = Json::array();
   for (const Border& border : find_borders(findings.mesh.mesh, findings.segmentation.segment_ids))
-    array.push_back(describe(border));
+    array.push_back(describe(border, values));
   return array;
 }
 
