@@ -31,6 +31,7 @@ std::vector<Choice> distances();
 // Throws std::invalid_argument if an option has a value that makes no sense.
 void check_options(const Segmentation_options& options);
 
+// Tips among the options are faces of the mesh here.
 Segmentation
 segment(const Mesh& mesh, const Segmentation_options& options, const Recorder::Progress& progress);
 

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -150,29 +149,26 @@ Json describe_measures(const Findings& findings)
   return array;
 }
 
-Json describe(const Border& border, const Border_values& values)
+Json describe(const Border& border)
 {
   Json points = Json::array();
   for (const Point& point : border.points)
     points.push_back({point.x(), point.y(), point.z()});
-  const auto [s, t] = border.segments;
-  const std::optional<double> probability = values.probability(s, t);
   Object object;
   object.add("segments", border.segments)
     .add("is_closed", border.is_closed)
     .add("length", border.length)
-    .add("value", values.value(s, t))
-    .add_if(probability.has_value(), "probability", probability.value_or(0))
+    .add("value", border.value) // infinity becomes null
+    .add_if(border.probability.has_value(), "probability", border.probability.value_or(0))
     .add("points", points);
   return object.take();
 }
 
 Json describe_borders(const Findings& findings)
 {
-  const Border_values values(findings.segmentation.record.protrusions());
   Json array = Json::array();
-  for (const Border& border : find_borders(findings.mesh.mesh, findings.segmentation.segment_ids))
-    array.push_back(describe(border, values));
+  for (const Border& border : find_borders(findings))
+    array.push_back(describe(border));
   return array;
 }
 
@@ -220,12 +216,14 @@ Json describe(const Segmentation_options& options)
   object
     .add_if(options.number_of_segments.has_value(), "segments_requested",
             options.number_of_segments.value_or(0))
+    .add_if(options.tips.has_value(), "tips_requested", options.tips.value_or(std::vector<std::size_t>()))
     .add("method", options.method)
     .add_if(!options.distance.empty(), "distance", options.distance) // none: the method's own
     .add_if(options.distance == "landmark", "landmarks", options.landmarks)
     .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
     .add_if(options.distance == "diffusion", "diffusion_time", options.time)
-    .add("seed", options.seed);
+    .add("seed", options.seed)
+    .add("smooth_borders", options.are_borders_smooth);
   return object.take();
 }
 

@@ -19,10 +19,13 @@
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
 #include <CGAL/Protrusion_segmentation/Protrusion.h>
+#include <CGAL/Protrusion_segmentation/Segment_border.h>
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_metrics.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
 #include <CGAL/Protrusion_segmentation/label_confidence.h>
+#include <CGAL/Protrusion_segmentation/segment_borders.h>
+#include <CGAL/Protrusion_segmentation/smooth_segment_borders.h>
 #include <CGAL/protrusion_segmentation.h>
 #include <CGAL/segmentation_metrics.h>
 
