@@ -73,11 +73,7 @@ public:
   {
     std::vector<Index> result;
     for (const Shares& shares : m_shares)
-      result.push_back(shares.empty() ? no_segment()
-                                      : std::max_element(shares.begin(), shares.end(),
-                                                         [](const auto& a, const auto& b)
-                                                         { return a.second < b.second; })
-                                          ->first);
+      result.push_back(shares.empty() ? no_segment() : segment_of(shares));
     give_islands_away(result);
     return result;
   }
@@ -110,6 +106,17 @@ private:
       sum += entry.second;
     for (auto& entry : shares)
       entry.second /= sum;
+  }
+
+  // Of shares that differ by rounding only, as on a straight border, all vertices take that of the same segment.
+  static Index segment_of(const Shares& shares)
+  {
+    constexpr double tie = 1e-9;
+    auto best = shares.begin();
+    for (auto share = shares.begin(); share != shares.end(); ++share)
+      if (share->second > best->second + tie || (share->second > best->second - tie && share->first < best->first))
+        best = share;
+    return best->first;
   }
 
   void add_corners(Index f, Index segment, std::vector<Index>& vertex_of_corner)
