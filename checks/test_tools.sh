@@ -87,7 +87,8 @@ test_usage()
   done
   expect 2 "$evaluate" "$mesh"
   local arguments
-  for arguments in "-k 0" "-k -3" "-k 2.5" "-k many" "--method other" "--distance other" "--seed -1" \
+  for arguments in "-k 0" "-k -3" "-k 2.5" "-k many" "--threads 0" "--threads -1" "--threads 1.5" \
+                   "--method other" "--distance other" "--seed -1" \
                    "--distance landmark --landmarks 0" "--distance landmark --landmarks 0%" \
                    "--distance landmark --landmarks 101%" "--distance landmark --landmarks 5%%" \
                    "--distance landmark --landmarks -5" "--landmarks 5%" \
@@ -168,7 +169,7 @@ test_outputs()
   done
   local key
   for key in "\"faces\": $faces," '"segments_requested": 4,' '"segments": 4,' '"dijkstra_runs": ' \
-             '"seconds": ' '"input": ' '"method": "paper"' '"distance": "geodesic"' '"seed": 0' \
+             '"seconds": ' '"writing_seconds": ' '"threads": 1,' '"peak_memory": ' '"input": ' '"method": "paper"' '"distance": "geodesic"' '"seed": 0' \
              '"protrusions": [' '"stages": [' '"note": null' '"border_slot": ' '"distance_histogram": [' \
              '"sectional_diameter_histogram": [' '"hierarchy": [' '"children": ['; do
     expect_text outputs/a.json "$key"
@@ -267,6 +268,19 @@ test_determinism()
       cmp -s outputs/same1.$extension outputs/same2.$extension || fail "$command: two runs differ"
     done
   done
+  if "$segment" --help | grep -q "oneTBB was not found"; then
+    expect 2 "$segment" $in --threads 2
+    expect_text stderr "oneTBB was not found"
+  else
+    for options in "" "--method paper" "--method paper --distance landmark"; do
+      for i in 1 2; do
+        # shellcheck disable=SC2086
+        expect 0 "$segment" $in -k 6 $options --threads $i -o outputs/same$i.seg --json outputs/threads$i.json
+        expect_text outputs/threads$i.json "\"threads\": $i,"
+      done
+      cmp -s outputs/same1.seg outputs/same2.seg || fail "$command: other segments with two threads"
+    done
+  fi
   expect 0 "$segment" $in --json -
   expect_text stdout '"segments_requested": null'
   [ "$(head -c 1 stdout)" = "{" ] || fail "$command: there is more than JSON on the standard output"
@@ -483,6 +497,26 @@ test_3MF()
   done
 }
 
+# Vertices and lines are no faces, strips are some: with VTK, or not without a word. What the tool writes is read as it was.
+test_VTP()
+{
+  run "$segment" "$data/strips.vtp" -o outputs/a.off
+  if ! "$segment" --help | grep -q "ts, vtp"; then
+    [ "$code" = 1 ] || fail "$command: is accepted"
+    expect_one_line "VTK"
+    return
+  fi
+  [ "$code" = 0 ] || fail "$command: is refused"
+  [ "$(sed -n 2p outputs/a.off | cut -d' ' -f2)" = 4 ] || fail "$command: not four faces"
+  ! grep -q "turned over" stderr || fail "$command: every other triangle of a strip is turned over"
+  expect 0 "$segment" outputs/teddy.off -k 4 -o outputs/a.vtp -o outputs/a.seg
+  expect 0 "$segment" outputs/a.vtp -k 4 -o outputs/b.seg
+  cmp -s outputs/a.seg outputs/b.seg || fail "$command: other segments than those of the mesh that was written"
+  command="strips.vtp through a pipe"
+  "$segment" - -k 2 -o - <"$data/strips.vtp" >stdout 2>stderr || fail "is refused"
+  [ "$(wc -l <stdout)" = 4 ] || fail "has not four labels"
+}
+
 test_collection()
 {
   mkdir -p meshes/inner
@@ -649,6 +683,8 @@ for name in sys.argv[2:]:
     if "error" not in record:
         if abs(sum(stage["seconds"] for stage in record["stages"]) - record["seconds"]) > 1e-6:
             found.append("the stages take another time than all")
+        if record["peak_memory"] is not None and record["peak_memory"] < 8 * record["faces"]:
+            found.append("less memory than for the labels")
         if sum(measure["faces"] for measure in record["measures"]) != record["faces"]:
             found.append("the segments have another number of faces than all")
         found += problems_with_borders(record)
@@ -678,6 +714,7 @@ test_unwritable_outputs
 test_words
 test_pipes
 test_3MF
+test_VTP
 test_collection
 test_smooth_borders
 test_tips

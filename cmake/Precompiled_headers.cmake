@@ -15,14 +15,19 @@ set(headers_of_meshes
 set(headers_of_segmentations
   <CGAL/protrusion_segmentation.h> <CGAL/segmentation_metrics.h> <CGAL/boost/graph/generators.h>)
 
-foreach(set meshes segmentations)
+# Each for the programs that are optimized and for those that are not.
+function(protrusion_precompile set options)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${set}.cpp CONTENT "")
   add_library(precompiled_${set} OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${set}.cpp)
   target_link_libraries(precompiled_${set} PRIVATE protrusion_program CGAL::Data)
-  target_compile_options(precompiled_${set} PRIVATE -fpch-preprocess) # ccache demands it
-endforeach()
-target_precompile_headers(precompiled_meshes PRIVATE ${headers_of_meshes})
-target_precompile_headers(precompiled_segmentations PRIVATE ${headers_of_meshes} ${headers_of_segmentations})
+  target_compile_options(precompiled_${set} PRIVATE -fpch-preprocess ${options}) # ccache demands the first
+  target_precompile_headers(precompiled_${set} PRIVATE ${ARGN})
+endfunction()
+
+protrusion_precompile(meshes "" ${headers_of_meshes})
+protrusion_precompile(segmentations "" ${headers_of_meshes} ${headers_of_segmentations})
+protrusion_precompile(meshes_unoptimized -O0 ${headers_of_meshes})
+protrusion_precompile(segmentations_unoptimized -O0 ${headers_of_meshes} ${headers_of_segmentations})
 
 # Every target with sources of its own that is compiled as programs are gets the set that its first source needs.
 function(protrusion_reuse_precompiled_headers folder)
@@ -42,11 +47,15 @@ function(protrusion_reuse_precompiled_headers folder)
     get_filename_component(source ${source} ABSOLUTE BASE_DIR ${source_folder})
     file(STRINGS ${source} includes LIMIT_COUNT 1 REGEX
       "#include [<\"]([^>\"]*/)?(protrusion_segmentation|all_public_headers|mesh|mesh_types|segmentations)\\.h")
+    set(headers meshes)
     if(includes)
-      target_precompile_headers(${target} REUSE_FROM precompiled_segmentations)
-    else()
-      target_precompile_headers(${target} REUSE_FROM precompiled_meshes)
+      set(headers segmentations)
     endif()
+    get_target_property(options ${target} COMPILE_OPTIONS)
+    if("-O0" IN_LIST options)
+      string(APPEND headers _unoptimized)
+    endif()
+    target_precompile_headers(${target} REUSE_FROM precompiled_${headers})
     target_compile_options(${target} PRIVATE -fpch-preprocess)
   endforeach()
   get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)

@@ -6,8 +6,6 @@ set(components Eigen Spectra)
 if(PROTRUSION_SEGMENTATION_WITH_TBB)
   list(APPEND components TBB)
 endif()
-# With VTK, CGAL reads .vtp files too.
-find_package(VTK QUIET COMPONENTS CommonCore CommonDataModel IOLegacy IOXML)
 
 add_library(protrusion_program INTERFACE)
 target_link_libraries(protrusion_program INTERFACE CGAL::Protrusion_segmentation)
@@ -28,9 +26,24 @@ if(PROTRUSION_SEGMENTATION_SANITIZERS)
     -fsanitize=${PROTRUSION_SEGMENTATION_SANITIZERS} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   # CGAL's reader of OFF files converts every number to an index, negative ones too, which are refused later.
   target_compile_options(protrusion_program INTERFACE
-    $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=float-cast-overflow>)
+    $<$<CXX_COMPILER_ID:Clang>:-fno-sanitize=float-cast-overflow>
+    $<$<CXX_COMPILER_ID:Clang>:-fsanitize-ignorelist=${CMAKE_CURRENT_LIST_DIR}/not_sanitized.txt>)
   target_link_options(protrusion_program INTERFACE
     -fsanitize=${PROTRUSION_SEGMENTATION_SANITIZERS})
+endif()
+
+# The methods, compiled once for all programs but those that are to have every header as users have it.
+if(PROTRUSION_SEGMENTATION_LINK_METHODS)
+  add_library(protrusion_methods STATIC EXCLUDE_FROM_ALL ${CMAKE_CURRENT_LIST_DIR}/methods.cpp)
+  set_target_properties(protrusion_methods PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  get_target_property(options protrusion_program INTERFACE_LINK_LIBRARIES)
+  target_link_libraries(protrusion_methods PRIVATE ${options})
+  get_target_property(options protrusion_program INTERFACE_COMPILE_OPTIONS)
+  if(options)
+    target_compile_options(protrusion_methods PRIVATE ${options})
+  endif()
+  target_compile_definitions(protrusion_program INTERFACE CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
+  target_link_libraries(protrusion_program INTERFACE protrusion_methods)
 endif()
 
 # protrusion_add_program(NAME SOURCE... [LIBRARIES LIBRARY...])

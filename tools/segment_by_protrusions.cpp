@@ -62,7 +62,7 @@ void segment_one(const tool::Command_line& command_line)
     options.tips = tool::read_tips(command_line.tips);
   tool::check_can_be_written(names);
   tool::Progress_bar bar(!command_line.is_quiet && tool::is_standard_error_a_terminal());
-  const tool::Findings findings = tool::segment_file(
+  tool::Findings findings = tool::segment_file(
     command_line.inputs.front(), options,
     [&](double share, const std::string& stage, std::size_t protrusions)
     { bar.show(share, std::to_string(protrusions) + " protrusions  " + stage); },

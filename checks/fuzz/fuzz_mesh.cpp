@@ -4,7 +4,8 @@
 //
 // Any bytes as a mesh file, all the way of the command line tool: a mesh that has a label for
 // each face or an error in one line, then a valid
-// segmentation. The first byte chooses format, method and number of segments, the rest is the file.
+// segmentation. The first byte chooses format, method and number of segments, the rest is the file. With an
+// extension in the environment variable FUZZED_FORMAT (`.stl`), all files are in that format.
 
 #include "fuzz_target.h"
 
@@ -14,6 +15,7 @@
 #include <CGAL/Protrusion_segmentation/internal/validation.h>
 #include <CGAL/protrusion_segmentation.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -92,13 +94,19 @@ void check(const tool::Input_mesh& input)
     require(input.label_giver[input.face_in_file[i]] == i, "a face of the mesh does not label itself");
 }
 
+std::string extension(std::size_t choice)
+{
+  static const char* fuzzed = std::getenv("FUZZED_FORMAT");
+  static const std::vector<std::string> extensions = {".off", ".obj", ".ply", ".stl", ".ts"};
+  return fuzzed != nullptr ? fuzzed : extensions[choice % 5];
+}
+
 void fuzz(const std::string& bytes)
 {
-  static const std::vector<std::string> extensions = {".off", ".obj", ".ply", ".stl", ".ts"};
   if (bytes.empty())
     return;
   const std::size_t choice = static_cast<unsigned char>(bytes[0]);
-  const Temporary_mesh_file file(extensions[choice % 5], bytes.substr(1));
+  const Temporary_mesh_file file(extension(choice), bytes.substr(1));
   tool::Input_mesh input;
   try
   {

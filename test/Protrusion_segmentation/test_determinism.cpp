@@ -122,10 +122,10 @@ void write_golden_labels()
 
 // Some threads, more threads than processors, and one.
 template <typename Segmentation_method>
-void check_threads(const Segmentation_method& segmentation_method)
+void check_threads(const Segmentation_method& segmentation_method, const Test_mesh& test_mesh = creature(0.2))
 {
 #ifdef CGAL_LINKED_WITH_TBB
-  const Mesh mesh = rounded(creature(0.2));
+  const Mesh mesh = rounded(test_mesh);
   const Labels expected = method(segmentation_method)(mesh);
   for (const std::size_t threads : {1, 2, 8})
   {
@@ -141,6 +141,7 @@ void check_threads(const Segmentation_method& segmentation_method)
   }
 #else
   static_cast<void>(segmentation_method);
+  static_cast<void>(test_mesh);
 #endif
 }
 
@@ -149,6 +150,7 @@ void the_number_of_threads_does_not_matter()
   check_threads(Histogram_method());
   check_threads(Histogram_method(Landmark_geodesic_distance()));
   check_threads(Minimum_cut_method());
+  check_threads(Minimum_cut_method(), bumpy_sphere(6, 1)); // so large that all of it is divided among threads
   check_threads(Minimum_cut_method(Landmark_geodesic_distance()));
 }
 

@@ -226,6 +226,18 @@ void components_are_apart()
   }
 }
 
+// Where nothing holds the walk in a face, it may forget all in a step, or alternate for ever.
+void walks_that_do_not_rest_have_finite_distances()
+{
+  CHECK_CLOSE(internal::decay({1., 1.5}, 0, 0.5), std::exp(-0.5), 1e-12);
+  CHECK_CLOSE(internal::decay({2.}, 0, 0.5), std::exp(-0.5), 1e-12);
+  Test_mesh needles;
+  needles.points = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-40, 0}, {0.5, -1e-40, 0}};
+  needles.add_face({0, 1, 2});
+  needles.add_face({1, 0, 3});
+  CHECK(all_distances(to_surface(needles), 10, 0.5).allFinite());
+}
+
 void tiny_surfaces_have_the_pairs_that_there_are()
 {
   const auto pairs = [](const Test_mesh& mesh)
@@ -287,6 +299,7 @@ int main()
   scale_does_not_matter();
   tessellation_hardly_matters();
   components_are_apart();
+  walks_that_do_not_rest_have_finite_distances();
   tiny_surfaces_have_the_pairs_that_there_are();
   failure_of_the_solver_is_reported();
   impossible_options_are_refused();

@@ -10,6 +10,7 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 
 #include <algorithm>
 #include <array>
@@ -234,11 +235,39 @@ void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_o
   CHECK_EQUAL(reached, fine.number_of_nodes());
 }
 
+// Threads are there to save time only: all weights and nodes are the same to the last bit, of a surface so large that it
+// is divided among them, and with groups of faces.
+void the_number_of_threads_does_not_matter()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const Indexed_surface surface = to_surface(jittered(icosphere(6), 0.001, 5));
+  Execution parallel(0, true);
+  const Weighted_dual_graph expected = weighted_dual_graph(surface);
+  const Weighted_dual_graph found = internal::make_weighted_dual_graph(surface, internal::default_cut_policy(), parallel);
+  CHECK(found.first_arc == expected.first_arc && found.target == expected.target);
+  CHECK(found.length == expected.length && found.border_length == expected.border_length);
+  CHECK(found.curvature == expected.curvature && found.capacity == expected.capacity);
+  CHECK(found.area == expected.area && found.centre == expected.centre);
+
+  internal::Coarse_graph expected_nodes = internal::coarsen(expected, 2000, quiet_execution());
+  internal::Coarse_graph nodes = internal::coarsen(found, 2000, parallel);
+  internal::measure_volumes(surface, expected_nodes.node, expected_nodes.graph);
+  internal::measure_volumes(surface, nodes.node, nodes.graph, true);
+  CHECK(nodes.node == expected_nodes.node);
+  CHECK(nodes.graph.first_arc == expected_nodes.graph.first_arc && nodes.graph.target == expected_nodes.graph.target);
+  CHECK(nodes.graph.length == expected_nodes.graph.length && nodes.graph.area == expected_nodes.graph.area);
+  CHECK(nodes.graph.curvature == expected_nodes.graph.curvature);
+  CHECK(nodes.graph.capacity == expected_nodes.graph.capacity);
+  CHECK(nodes.graph.border_area == expected_nodes.graph.border_area && nodes.graph.flux == expected_nodes.graph.flux);
+#endif
+}
+
 int main()
 {
   smoothed_normals_of_a_sphere_point_outward();
   groups_of_faces_average_like_faces();
   diffusion_keeps_the_mean();
+  the_number_of_threads_does_not_matter();
   seams_lie_where_parts_meet();
   weights_do_not_depend_on_scale();
   coarse_nodes_are_connected_and_add_up(star(4), 300);

@@ -144,8 +144,8 @@ private:
         ++m_number_of_skipped;
         return m_teller.tell(mesh.input + ": already there", false);
       }
-      const Findings findings = segment_file(mesh.input, m_command_line.options, {},
-                                             [](const std::string&) {});
+      Findings findings = segment_file(mesh.input, m_command_line.options, {},
+                                       [](const std::string&) {});
       Output_names names;
       for (const std::string& format : m_command_line.formats)
         names.segments.push_back(path(mesh, format).string());

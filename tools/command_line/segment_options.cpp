@@ -4,6 +4,7 @@
 
 #include "command_line/segment_options.h"
 
+#include "command_line/number.h"
 #include "reading/lower_case_extension.h"
 #include "reading/read_soup.h"
 #include "report/report.h"
@@ -13,7 +14,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <set>
 #include <stdexcept>
@@ -48,11 +48,10 @@ CLI::Validator counts(const std::string& what)
   const auto problem_with = [what](const std::string& text) -> std::string
   {
     std::size_t value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    const std::errc error = parse_number(text, value);
     if (error == std::errc::result_out_of_range)
       return "'" + text + "' is more than any computer can count";
-    const bool is_good = error == std::errc() && end == text.data() + text.size() && value > 0;
-    return is_good ? "" : "'" + text + "' is no " + what + ", an integer from 1";
+    return error == std::errc() && value > 0 ? "" : "'" + text + "' is no " + what + ", an integer from 1";
   };
   return CLI::Validator(problem_with, "");
 }
@@ -166,6 +165,13 @@ void add_segmentation_options(CLI::App& app, Segmentation_options& options)
     ->type_name("T")
     ->capture_default_str();
   app.add_option("--seed", options.seed, "of all that is random")->type_name("N")->capture_default_str();
+  app
+    .add_option("--threads", options.threads,
+                std::string("that segment a mesh; the segments are the same with any number of them") +
+                  (can_use_threads() ? "" : "; not here: oneTBB was not found when this program was built"))
+    ->check(counts("number of threads"))
+    ->type_name("N")
+    ->capture_default_str();
   app.add_flag("--smooth-borders", options.are_borders_smooth,
                "move borders, which run along edges, to smooth lines, and cut faces along them: meshes then have more\n"
                "faces, each with the number of the old one; .seg has for each old face the segment of its largest piece");

@@ -7,12 +7,9 @@
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_READING_LINES_H
 #define PROTRUSION_SEGMENTATION_TOOLS_READING_LINES_H
 
-#include <charconv>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 
 namespace tool
 {
@@ -39,18 +36,6 @@ inline std::string_view take_word(std::string_view& text)
 inline std::string_view without_comment(std::string_view line)
 {
   return trim(line.substr(0, line.find('#')));
-}
-
-// The number that the whole word is.
-template <typename T>
-std::optional<T> number(std::string_view word)
-{
-  T value{};
-  if (!word.empty() && word.front() == '+')
-    word.remove_prefix(1);
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  const bool is_number = !word.empty() && error == std::errc() && end == word.data() + word.size();
-  return is_number ? std::optional<T>(value) : std::nullopt;
 }
 
 // Goes through the lines of a text. They are counted from 1.

@@ -5,6 +5,7 @@
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_READING_PLY_HEADER_H
 #define PROTRUSION_SEGMENTATION_TOOLS_READING_PLY_HEADER_H
 
+#include "command_line/number.h"
 #include "reading/Format_error.h"
 #include "reading/Lines.h"
 

@@ -22,6 +22,14 @@ struct Polygon_soup
   std::vector<Polygon> polygons;
 };
 
+// The triangle that the last of the first `n` corners of a strip makes with the two before it; every other one is turned
+// over.
+inline Polygon triangle_of_strip(const Polygon& strip, std::size_t n)
+{
+  return n % 2 == 1 ? Polygon{strip[n - 3], strip[n - 2], strip[n - 1]}
+                    : Polygon{strip[n - 2], strip[n - 3], strip[n - 1]};
+}
+
 } // namespace tool
 
 #endif // PROTRUSION_SEGMENTATION_TOOLS_READING_POLYGON_SOUP_H

@@ -4,6 +4,7 @@
 
 #include "reading/formats.h"
 
+#include "command_line/number.h"
 #include "reading/Normalized_text.h"
 
 #include <CGAL/IO/OBJ.h>

@@ -4,12 +4,14 @@
 
 #include "reading/formats.h"
 
+#include "command_line/number.h"
 #include "reading/Normalized_text.h"
 
 #include <CGAL/IO/OFF.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -124,8 +126,23 @@ private:
     begin("vertex", vertex);
     const int size = m_keyword.is_homogeneous ? 4 : 3;
     for (int i = 0; i < size; ++i)
-      m_text << (i > 0 ? " " : "") << next_word("vertex", vertex);
+    {
+      const std::string_view coordinate = next_word("vertex", vertex);
+      if (m_keyword.is_homogeneous)
+        check_homogeneous(coordinate, i == 3);
+      m_text << (i > 0 ? " " : "") << coordinate;
+    }
     m_text.end_line(m_lines.line_number());
+  }
+
+  // CGAL's reader asserts that the last of four coordinates is not 0, as it is, too, if one of them is no number.
+  void check_homogeneous(std::string_view coordinate, bool is_last) const
+  {
+    const auto value = number<double>(coordinate);
+    if (!value || !std::isfinite(*value))
+      throw Format_error(m_lines.line_number(), quote(coordinate) + " is no coordinate");
+    if (is_last && *value == 0)
+      throw Format_error(m_lines.line_number(), "the vertex is infinitely far away: its last coordinate is 0");
   }
 
   void add_face(std::size_t face)

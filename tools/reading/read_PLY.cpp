@@ -8,6 +8,7 @@
 
 #include "reading/formats.h"
 
+#include "command_line/number.h"
 #include "reading/Format_error.h"
 #include "reading/Lines.h"
 #include "reading/PLY_header.h"
@@ -195,7 +196,7 @@ private:
     m_soup.polygons.push_back(face);
   }
 
-  // Each vertex makes a triangle with the two before it, every other one turned over; -1 begins a new strip.
+  // -1 begins a new strip.
   void read_strips(const Property& property, Numbers& numbers)
   {
     Polygon strip;
@@ -210,10 +211,8 @@ private:
       if (!(value >= 0 && value < 4294967296.))
         numbers.fail("a strip names vertex " + std::to_string(value));
       strip.push_back(static_cast<std::size_t>(value));
-      const std::size_t n = strip.size();
-      if (n >= 3)
-        m_soup.polygons.push_back(n % 2 == 1 ? Polygon{strip[n - 3], strip[n - 2], strip[n - 1]}
-                                             : Polygon{strip[n - 2], strip[n - 3], strip[n - 1]});
+      if (strip.size() >= 3)
+        m_soup.polygons.push_back(triangle_of_strip(strip, strip.size()));
     }
   }
 

@@ -5,6 +5,7 @@
 #include "reading/read_soup.h"
 
 #include "command_line/Error.h"
+#include "command_line/number.h"
 #include "reading/Format_error.h"
 #include "reading/Lines.h"
 #include "reading/formats.h"

@@ -34,6 +34,7 @@ struct Segmentation_options
   unsigned int seed = 0;
   std::optional<std::vector<std::size_t>> tips; // faces of the file: only their protrusions are cut off
   bool are_borders_smooth = false;
+  std::size_t threads = 1; // no matter for the result
 };
 
 struct Segmentation
@@ -54,6 +55,9 @@ struct Findings
   Segmentation segmentation;
   std::optional<Smoothed_mesh> smoothed; // of the mesh, if that was asked for
   std::string note; // empty, or why there are not as many segments as were asked for
+
+  // Unset until the segments and the report are written.
+  std::optional<double> seconds_for_writing;
 
   // with smooth borders, if there are
   const Mesh& mesh_of_borders() const { return smoothed ? smoothed->mesh : mesh.mesh; }

@@ -4,6 +4,8 @@
 
 #include "segmentation/segment.h"
 
+#include "command_line/number.h"
+
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Heat_distance.h>
@@ -11,13 +13,14 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <charconv>
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
 #include <chrono>
 #include <functional>
-#include <optional>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace tool
@@ -30,25 +33,16 @@ namespace PS = CGAL::Protrusion_segmentation;
 // Any method with its distance. A further one is one more line in a table below.
 using Segment = std::function<std::size_t(const Mesh&, std::vector<std::size_t>&, const Segmentation_options&, Recorder&)>;
 
-template <typename T>
-std::optional<T> parse(const std::string& text)
-{
-  T value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_parsed = error == std::errc() && end == text.data() + text.size();
-  return is_parsed ? std::optional<T>(value) : std::nullopt;
-}
-
 PS::Landmark_geodesic_distance landmark_distance(const std::string& landmarks)
 {
   if (!landmarks.empty() && landmarks.back() == '%')
   {
-    const auto percent = parse<double>(landmarks.substr(0, landmarks.size() - 1));
+    const auto percent = number<double>(landmarks.substr(0, landmarks.size() - 1));
     if (percent && *percent > 0 && *percent <= 100)
       return PS::Landmark_geodesic_distance(*percent / 100);
   }
-  else if (const auto number = parse<std::size_t>(landmarks); number && *number > 0)
-    return PS::Landmark_geodesic_distance::with_number_of_landmarks(*number);
+  else if (const auto count = number<std::size_t>(landmarks); count && *count > 0)
+    return PS::Landmark_geodesic_distance::with_number_of_landmarks(*count);
   throw std::invalid_argument("--landmarks: '" + landmarks +
                               "' is neither a number above 0 nor a share from above 0% to 100%");
 }
@@ -61,24 +55,38 @@ struct Entry
   Made make;
 };
 
+template <typename Concurrency_tag, typename Method>
+std::size_t segment_by(const Method& method, const Mesh& mesh, std::vector<std::size_t>& segment_ids,
+                       const Segmentation_options& options, Recorder& record)
+{
+  const auto ids = boost::make_iterator_property_map(segment_ids.begin(), get(boost::face_index, mesh));
+  const auto np = CGAL::parameters::random_seed(options.seed).visitor(std::ref(record));
+  if (options.tips)
+  {
+    std::vector<Face> tips;
+    for (const std::size_t tip : *options.tips)
+      tips.emplace_back(static_cast<Face::size_type>(tip));
+    return CGAL::segmentation_from_protrusion_tips<Concurrency_tag>(mesh, tips, ids, method, np);
+  }
+  return options.number_of_segments
+             ? CGAL::segmentation_via_protrusion_tips<Concurrency_tag>(mesh, ids, *options.number_of_segments, method, np)
+             : CGAL::segmentation_via_protrusion_tips<Concurrency_tag>(mesh, ids, method, np);
+}
+
 template <typename Method>
 Segment segment_by(const Method& method)
 {
   return [method](const Mesh& mesh, std::vector<std::size_t>& segment_ids, const Segmentation_options& options,
                   Recorder& record)
   {
-    const auto ids = boost::make_iterator_property_map(segment_ids.begin(), get(boost::face_index, mesh));
-    const auto np = CGAL::parameters::random_seed(options.seed).visitor(std::ref(record));
-    if (options.tips)
+#ifdef CGAL_LINKED_WITH_TBB
+    if (options.threads > 1)
     {
-      std::vector<Face> tips;
-      for (const std::size_t tip : *options.tips)
-        tips.emplace_back(static_cast<Face::size_type>(tip));
-      return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, method, np);
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
+      return segment_by<CGAL::Parallel_tag>(method, mesh, segment_ids, options, record);
     }
-    return options.number_of_segments
-               ? CGAL::segmentation_via_protrusion_tips(mesh, ids, *options.number_of_segments, method, np)
-               : CGAL::segmentation_via_protrusion_tips(mesh, ids, method, np);
+#endif
+    return segment_by<CGAL::Sequential_tag>(method, mesh, segment_ids, options, record);
   };
 }
 
@@ -155,7 +163,21 @@ std::vector<Choice> distances()
           {"exact", "over the faces, exactly; slow, for small meshes", {}}};
 }
 
-void check_options(const Segmentation_options& options) { make(options); }
+bool can_use_threads()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  return true;
+#else
+  return false;
+#endif
+}
+
+void check_options(const Segmentation_options& options)
+{
+  make(options);
+  if (options.threads > 1 && !can_use_threads())
+    throw std::invalid_argument("--threads: oneTBB was not found when this program was built, which has one thread");
+}
 
 Segmentation
 segment(const Mesh& mesh, const Segmentation_options& options, const Recorder::Progress& progress)

@@ -28,6 +28,9 @@ struct Choice
 std::vector<Choice> methods();
 std::vector<Choice> distances();
 
+// Was oneTBB found when this was built?
+bool can_use_threads();
+
 // Throws std::invalid_argument if an option has a value that makes no sense.
 void check_options(const Segmentation_options& options);
 

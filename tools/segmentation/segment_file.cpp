@@ -33,6 +33,10 @@ namespace tool
 namespace
 {
 
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
 // From there on a warning comes first: exact distances take minutes, and so does that many eigenpairs.
 constexpr std::size_t many_faces_for_exact_distances = 5000;
 constexpr std::size_t many_eigenpairs = 100;
@@ -156,12 +160,12 @@ Findings segment_file(const std::string& input,
                       const Recorder::Progress& progress,
                       const Warn& warn)
 {
-  const auto start = std::chrono::steady_clock::now();
+  const Clock::time_point start = Clock::now();
   Findings findings;
   findings.input = input;
   findings.options = options;
   findings.mesh = read_input_mesh(input);
-  findings.seconds_for_file = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  findings.seconds_for_file = seconds_since(start);
   const std::size_t faces = findings.mesh.mesh.number_of_faces();
   const std::size_t wanted = options.number_of_segments.value_or(0);
   if (wanted > faces)
@@ -189,8 +193,9 @@ void check_can_be_written(const Output_names& names)
       Output_files::check(name);
 }
 
-void write_findings(const Findings& findings, const Output_names& names)
+void write_findings(Findings& findings, const Output_names& names)
 {
+  const Clock::time_point start = Clock::now();
   const Segmented_soup segmented = {findings.mesh.soup,
                                     spread(findings.segmentation.segment_ids, findings.mesh), {}};
   const Segmented_soup cut = findings.smoothed ? soup_of(*findings.smoothed, findings.mesh) : Segmented_soup();
@@ -206,6 +211,7 @@ void write_findings(const Findings& findings, const Output_names& names)
     files.add(names.report, [&](std::ostream& out) { write_report(out, findings); });
   if (!names.borders.empty())
     files.add(names.borders, [&](std::ostream& out) { write_borders(out, find_borders(findings)); });
+  findings.seconds_for_writing = seconds_since(start); // the record, which tells of it, is not counted
   if (!names.json.empty())
     files.add(names.json, [&](std::ostream& out) { write_json(out, describe(findings)); });
   files.publish();

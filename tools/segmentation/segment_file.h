@@ -43,8 +43,8 @@ struct Output_names
 // Throws an `Error` if one of them cannot be written. Good to know before a long computation.
 void check_can_be_written(const Output_names& names);
 
-// Writes all or, with an `Error`, nothing.
-void write_findings(const Findings& findings, const Output_names& names);
+// Writes all or, with an `Error`, nothing. Notes how long it takes.
+void write_findings(Findings& findings, const Output_names& names);
 
 // "faces, segments, seconds"
 std::string summary(const Findings& findings);

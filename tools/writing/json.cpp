@@ -6,6 +6,7 @@
 
 #include "repair/area_vector.h"
 #include "writing/borders.h"
+#include "writing/peak_memory.h"
 
 #include <CGAL/Protrusion_segmentation/Border_values.h>
 
@@ -13,6 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -230,6 +233,7 @@ Json describe(const Segmentation_options& options)
 Json describe(const Findings& findings)
 {
   const Recorder& record = findings.segmentation.record;
+  const std::optional<std::size_t> memory = peak_memory();
   Object object;
   object.add("format_version", json_format_version)
     .add("input", findings.input)
@@ -240,6 +244,9 @@ Json describe(const Findings& findings)
     .add_if(!findings.note.empty(), "note", findings.note)
     .add("seconds", findings.seconds())
     .add("stages", describe_stages(findings))
+    .add_if(findings.seconds_for_writing.has_value(), "writing_seconds", findings.seconds_for_writing.value_or(0))
+    .add("threads", findings.options.threads)
+    .add_if(memory.has_value(), "peak_memory", memory.value_or(0))
     .add("dijkstra_runs", record.number_of_runs())
     .add("tips_eliminated", record.number_of_eliminated_tips())
     .add("measures", describe_measures(findings))

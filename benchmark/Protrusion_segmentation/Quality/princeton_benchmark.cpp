@@ -116,6 +116,9 @@ public:
         results.push_back(std::move(of_model));
     if(results.empty())
       throw std::runtime_error("none of the models can be read");
+    if(results.size() < m_models.size())
+      std::cerr << m_models.size() - results.size() << " of " << m_models.size()
+                << " models are left out" << std::endl;
     return results;
   }
 

@@ -37,7 +37,8 @@ it touches itself in a vertex. Where the algorithm reaches a face on no path, it
 `Geodesic_distance`.
 
 The distances from one face take time and memory quadratic in the number of faces at worst, in practice some
-hundred times as long as shortest paths in the face dual graph: a reference for small meshes.
+hundred times as long as shortest paths in the face dual graph: a reference for small meshes. Where a visitor stops a call,
+the memory of the computation under way, which may be gigabytes, is freed first; that takes some 1.5 seconds for each gigabyte.
 
 \cgalModels{ProtrusionDistance}
 */

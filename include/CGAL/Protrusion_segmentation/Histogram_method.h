@@ -9,7 +9,8 @@
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/Histogram_method/Histogram_segmentation.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/inline.h>
 
 #include <cmath>
 #include <cstddef>
@@ -91,26 +92,13 @@ public:
   // protrusions of given tips.
   internal::Nested_segments segment(const Indexed_surface& surface,
                                     std::optional<std::size_t> number_of_segments,
-                                    Execution& execution) const
-  {
-    internal::Histogram_segmentation segmentation(surface, m_distance, conditions(), execution);
-    return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
-                              : segmentation.with_evident_protrusions();
-  }
+                                    Execution& execution) const;
   internal::Nested_segments segment_from_tips(const Indexed_surface& surface,
                                               const std::vector<Indexed_surface::Index>& tips,
-                                              Execution& execution) const
-  {
-    return internal::Histogram_segmentation(surface, m_distance, conditions(), execution).from_tips(tips);
-  }
+                                              Execution& execution) const;
 #endif
 
 private:
-  internal::Border_conditions conditions() const
-  {
-    return {m_minimum_prominence, m_uses_candidate_intervals, false};
-  }
-
   internal::Any_distance m_distance;
   // On half of the development models of the Princeton benchmark the Rand index error with a given number of
   // segments is .178 for 0.3 and 0.4, and .187 for 0.5; without a number .29, .25, .27.
@@ -120,5 +108,38 @@ private:
 
 } // namespace Protrusion_segmentation
 } // namespace CGAL
+
+#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
+
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/Histogram_segmentation.h>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE internal::Nested_segments
+Histogram_method::segment(const Indexed_surface& surface,
+                          std::optional<std::size_t> number_of_segments,
+                          Execution& execution) const
+{
+  internal::Histogram_segmentation segmentation(
+    surface, m_distance, {m_minimum_prominence, m_uses_candidate_intervals, false}, execution);
+  return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
+                            : segmentation.with_evident_protrusions();
+}
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE internal::Nested_segments
+Histogram_method::segment_from_tips(const Indexed_surface& surface,
+                                    const std::vector<Indexed_surface::Index>& tips,
+                                    Execution& execution) const
+{
+  return internal::Histogram_segmentation(
+           surface, m_distance, {m_minimum_prominence, m_uses_candidate_intervals, false}, execution)
+    .from_tips(tips);
+}
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_HISTOGRAM_METHOD_H

@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INDEXED_SURFACE_H
 #define CGAL_PROTRUSION_SEGMENTATION_INDEXED_SURFACE_H
 
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -73,13 +74,24 @@ public:
                std::vector<Index> corner_begin,
                std::vector<Index> corner_vertices,
                std::vector<Index> corner_neighbors)
+    : Indexed_surface(std::move(points), std::move(corner_begin), std::move(corner_vertices),
+                      std::move(corner_neighbors), false)
+  {}
+
+#ifndef DOXYGEN_RUNNING
+  Indexed_surface(std::vector<Point_3> points,
+                  std::vector<Index> corner_begin,
+                  std::vector<Index> corner_vertices,
+                  std::vector<Index> corner_neighbors,
+                  bool is_parallel)
     : m_points(std::move(points)),
       m_corner_begin(std::move(corner_begin)),
       m_corner_vertices(std::move(corner_vertices)),
       m_corner_neighbors(std::move(corner_neighbors))
   {
-    measure_faces();
+    measure_faces(is_parallel);
   }
+#endif
 
   /// \return the number of faces
   Index number_of_faces() const { return static_cast<Index>(m_areas.size()); }
@@ -175,18 +187,24 @@ private:
     }
   };
 
-  void measure_faces()
+  void measure_faces(bool is_parallel)
   {
     const std::size_t n = m_corner_begin.size() - 1;
-    m_centroids.reserve(n);
-    m_areas.reserve(n);
-    for (Index f = 0; f < n; ++f)
-    {
-      const internal::Polygon_measures face = internal::measure_polygon(Polygon{*this, f});
-      m_areas.push_back(face.area);
-      m_centroids.push_back(face.centroid);
-      m_area += face.area;
-    }
+    m_centroids.resize(n);
+    m_areas.resize(n);
+    internal::for_each_block(n, is_parallel,
+                             [this](std::size_t begin, std::size_t end, std::size_t)
+                             {
+                               for (std::size_t f = begin; f < end; ++f)
+                               {
+                                 const internal::Polygon_measures face =
+                                   internal::measure_polygon(Polygon{*this, static_cast<Index>(f)});
+                                 m_areas[f] = face.area;
+                                 m_centroids[f] = face.centroid;
+                               }
+                             });
+    for (double area : m_areas)
+      m_area += area;
   }
 
   std::vector<Point_3> m_points;

@@ -7,8 +7,9 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_segmentation.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/inline.h>
 
 #include <cstddef>
 #include <optional>
@@ -71,18 +72,10 @@ public:
   // as for `Histogram_method`
   internal::Nested_segments segment(const Indexed_surface& surface,
                                     std::optional<std::size_t> number_of_segments,
-                                    Execution& execution) const
-  {
-    internal::Cut_segmentation segmentation(surface, m_distance, execution);
-    return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
-                              : segmentation.with_evident_protrusions();
-  }
+                                    Execution& execution) const;
   internal::Nested_segments segment_from_tips(const Indexed_surface& surface,
                                               const std::vector<Indexed_surface::Index>& tips,
-                                              Execution& execution) const
-  {
-    return internal::Cut_segmentation(surface, m_distance, execution).from_tips(tips);
-  }
+                                              Execution& execution) const;
 #endif
 
 private:
@@ -91,5 +84,35 @@ private:
 
 } // namespace Protrusion_segmentation
 } // namespace CGAL
+
+#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_segmentation.h>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE internal::Nested_segments
+Minimum_cut_method::segment(const Indexed_surface& surface,
+                            std::optional<std::size_t> number_of_segments,
+                            Execution& execution) const
+{
+  internal::Cut_segmentation segmentation(surface, m_distance, execution);
+  return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
+                            : segmentation.with_evident_protrusions();
+}
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE internal::Nested_segments
+Minimum_cut_method::segment_from_tips(const Indexed_surface& surface,
+                                      const std::vector<Indexed_surface::Index>& tips,
+                                      Execution& execution) const
+{
+  return internal::Cut_segmentation(surface, m_distance, execution).from_tips(tips);
+}
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_MINIMUM_CUT_METHOD_H

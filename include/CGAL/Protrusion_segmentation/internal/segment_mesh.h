@@ -62,7 +62,7 @@ auto run_on_mesh(const FaceGraph& mesh, const NamedParameters& np, Run run)
       const Stage_scope stage(observer, Stage::READING);
       Arrays_of_mesh input = read_surface(mesh, np);
       execution.check();
-      surface.emplace(std::move(input.surface), input.unit);
+      surface.emplace(std::move(input.surface), input.unit, execution.is_parallel());
     }
     observer.set_surface(*surface);
     execution.check();

@@ -42,7 +42,7 @@ struct Cut_graphs
     const Stage_scope stage(execution.observer(), Stage::PREPARATION);
     fine = make_weighted_dual_graph(surface, policy, execution);
     coarse = coarsen(fine, number_of_nodes, execution);
-    measure_volumes(surface, coarse.node, coarse.graph);
+    measure_volumes(surface, coarse.node, coarse.graph, execution.is_parallel());
     // only the coarse graph is made of these: a third of the memory of the surface
     decltype(fine.centre)().swap(fine.centre);
     decltype(fine.concave_border_length)().swap(fine.concave_border_length);

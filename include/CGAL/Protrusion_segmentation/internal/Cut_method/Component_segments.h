@@ -11,9 +11,14 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Component_cuts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_set.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Face_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 
 #include <CGAL/assertions.h>
+
+#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +42,8 @@ public:
   using Nodes = Graph_partition::Nodes;
 
   Component_segments(const Component_cuts& cuts, const Cut_set& set, const Cut_policy& policy, Execution& execution)
-    : m_cuts(cuts), m_set(set), m_surface(cuts.surface()), m_labels(cuts.graphs().coarse.node)
+    : m_cuts(cuts), m_set(set), m_surface(cuts.surface()), m_is_parallel(execution.is_parallel()),
+      m_labels(cuts.graphs().coarse.node)
   {
     number_leaves();
     for (Index& label : m_labels) // still the node
@@ -48,6 +54,7 @@ public:
       borders.refine(execution);
       m_labels = borders.labels();
     }
+    find_border_arcs();
     arrange();
   }
 
@@ -58,17 +65,28 @@ public:
   // All but the body; `tip` is a face of the component.
   std::vector<Protrusion<Index>> protrusions() const
   {
-    std::vector<Protrusion<Index>> result;
-    std::vector<std::vector<Index>> faces(number_of_segments());
-    for (Index f = 0; f < m_labels.size(); ++f)
-      faces[m_labels[f]].push_back(f);
+    std::vector<Protrusion<Index>> result(number_of_segments() - 1);
+    const Index_groups faces(m_labels, number_of_segments());
     Graph_partition partition(m_cuts.graphs().fine, m_labels);
-    for (Index s = 1; s < number_of_segments(); ++s)
-      result.push_back(describe(s, faces[s], partition));
+    for_each_index(
+      result.size(), m_is_parallel, partition,
+      [&](Graph_partition& own, std::size_t i)
+      {
+        const Index s = static_cast<Index>(i + 1);
+        result[i] = describe(s, faces[s], own);
+      },
+      [](const Graph_partition&) {});
     return result;
   }
 
 private:
+  // Between faces of different segments.
+  struct Border_arc
+  {
+    Index source, target;
+    float length; // of the edge
+  };
+
   // The segments that are left are the leaves of the tree of cuts.
   void number_leaves()
   {
@@ -159,15 +177,29 @@ private:
     return longest;
   }
 
+  void find_border_arcs()
+  {
+    const Weighted_dual_graph& graph = m_cuts.graphs().fine;
+    std::vector<std::vector<Border_arc>> blocks(number_of_blocks(m_labels.size()));
+    for_each_block(m_labels.size(), m_is_parallel,
+                   [&](std::size_t begin, std::size_t end, std::size_t block)
+                   {
+                     for (std::size_t f = begin; f < end; ++f)
+                       for (Index arc : graph.arcs(static_cast<Index>(f)))
+                         if (m_labels[f] != m_labels[graph.target[arc]])
+                           blocks[block].push_back({static_cast<Index>(f), graph.target[arc], graph.border_length[arc]});
+                   });
+    for (const std::vector<Border_arc>& arcs : blocks)
+      m_border_arcs.insert(m_border_arcs.end(), arcs.begin(), arcs.end());
+  }
+
   // of every two neighbouring segments, the lower one first
   std::map<Segment_tree::Border, double> border_lengths() const
   {
-    const Weighted_dual_graph& graph = m_cuts.graphs().fine;
     std::map<Segment_tree::Border, double> result;
-    for (Index f = 0; f < m_labels.size(); ++f)
-      for (Index arc : graph.arcs(f))
-        if (m_labels[f] < m_labels[graph.target[arc]])
-          result[{m_labels[f], m_labels[graph.target[arc]]}] += graph.border_length[arc];
+    for (const Border_arc& arc : m_border_arcs)
+      if (m_labels[arc.source] < m_labels[arc.target])
+        result[{m_labels[arc.source], m_labels[arc.target]}] += arc.length;
     return result;
   }
 
@@ -179,7 +211,7 @@ private:
   }
 
   // The tip is the face of the segment that is farthest from the border to the parent.
-  Protrusion<Index> describe(Index s, const Nodes& faces, Graph_partition& partition) const
+  Protrusion<Index> describe(Index s, const boost::iterator_range<const Index*>& faces, Graph_partition& partition) const
   {
     const Weighted_dual_graph& graph = m_cuts.graphs().fine;
     const double unit = std::sqrt(m_surface.area()); // there is no border without area
@@ -210,20 +242,19 @@ private:
     std::vector<bool> is_beyond;
     for (Index t = 0; t < number_of_segments(); ++t)
       is_beyond.push_back(sticks_out_of(t, s));
-    const Weighted_dual_graph& graph = m_cuts.graphs().fine;
     double length = 0;
-    for (Index f = 0; f < m_labels.size(); ++f)
-      if (is_beyond[m_labels[f]])
-        for (Index arc : graph.arcs(f))
-          if (!is_beyond[m_labels[graph.target[arc]]])
-            length += graph.border_length[arc];
+    for (const Border_arc& arc : m_border_arcs)
+      if (is_beyond[m_labels[arc.source]] && !is_beyond[m_labels[arc.target]])
+        length += arc.length;
     return length;
   }
 
   const Component_cuts& m_cuts;
   const Cut_set& m_set;
   const Indexed_surface& m_surface;
+  bool m_is_parallel;
   std::vector<Index> m_labels;
+  std::vector<Border_arc> m_border_arcs; // ascending
   std::vector<Index> m_leaf_of_node;
   std::map<Index, std::vector<Index>> m_leaves; // in every segment of the pool that was one
   std::vector<Index> m_parents; // of every segment; the body is its own

@@ -8,8 +8,10 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Local_connectivity.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/level_set_cuts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/minimum_cut.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -33,18 +35,23 @@ public:
   // `labels`: the segment of every face, each of them connected
   Face_borders(const Weighted_dual_graph& graph, std::vector<Index> labels, std::size_t number_of_segments)
     : m_partition(graph, std::move(labels)),
+      m_connectivity(m_partition),
       m_faces(number_of_segments),
       m_number(graph.number_of_nodes(), Indexed_surface::no_face())
   {
     for (Index f = 0; f < graph.number_of_nodes(); ++f)
       m_faces[m_partition.segment(f)].push_back(f);
+    for (const Nodes& faces : m_faces)
+      m_area.push_back(m_partition.area(faces));
   }
+  Face_borders(const Face_borders&) = delete;
+  Face_borders& operator=(const Face_borders&) = delete;
 
   void refine(Execution& execution)
   {
     constexpr int number_of_rounds = 2; // a border may change where another one meets it
     for (int round = 0; round < number_of_rounds; ++round)
-      for (const auto& [s, t] : neighbors())
+      for (const auto& [s, t] : neighbors(execution.is_parallel()))
       {
         execution.check();
         refine(s, t);
@@ -56,43 +63,105 @@ public:
 
 private:
   // All pairs of segments that share a border, the lower one first.
-  std::set<std::pair<Index, Index>> neighbors() const
+  std::set<std::pair<Index, Index>> neighbors(bool is_parallel) const
   {
-    std::set<std::pair<Index, Index>> result;
     const Weighted_dual_graph& graph = m_partition.graph();
-    for (Index f = 0; f < graph.number_of_nodes(); ++f)
-      for (Index arc : graph.arcs(f))
-        if (m_partition.segment(f) < m_partition.segment(graph.target[arc]))
-          result.emplace(m_partition.segment(f), m_partition.segment(graph.target[arc]));
+    std::vector<std::set<std::pair<Index, Index>>> blocks(number_of_blocks(graph.number_of_nodes()));
+    for_each_block(graph.number_of_nodes(), is_parallel,
+                   [&](std::size_t begin, std::size_t end, std::size_t block)
+                   {
+                     for (Index f = static_cast<Index>(begin); f < end; ++f)
+                       for (Index arc : graph.arcs(f))
+                         if (m_partition.segment(f) < m_partition.segment(graph.target[arc]))
+                           blocks[block].emplace(m_partition.segment(f), m_partition.segment(graph.target[arc]));
+                   });
+    std::set<std::pair<Index, Index>> result;
+    for (const std::set<std::pair<Index, Index>>& pairs : blocks)
+      result.insert(pairs.begin(), pairs.end());
     return result;
   }
 
-  // While a border moves, both segments are one, with two sides: the smaller one is the inner.
+  // While a border moves, both segments are one, with two sides: the smaller one is the inner. No node is marked before
+  // or after.
   void refine(Index s, Index t)
   {
-    constexpr Band band = {0.05, 1.4, 0.7};
-    if (m_partition.area(m_faces[s]) > m_partition.area(m_faces[t]))
+    if (m_area[s] > m_area[t])
       std::swap(s, t);
-    Nodes both;
-    std::merge(m_faces[s].begin(), m_faces[s].end(), m_faces[t].begin(), m_faces[t].end(), std::back_inserter(both));
     for (Index f : m_faces[s])
+    {
       m_partition.set_segment(f, t);
-    m_partition.mark(both, m_faces[s]);
-    Nodes inner = refine_cut(m_partition, t, both, m_faces[s], band, m_number);
-    inner = m_partition.connect_sides(both, t, inner);
-    if (is_large_enough(m_partition.area(inner), m_partition.area(both))) // or else the border stays where it is
+      m_partition.set_inner(f, true);
+    }
+    Nodes changed = move_border(t, m_faces[s]);
+    Nodes inner, outer;
+    if (m_connectivity.is_connected(t, true, changed) && m_connectivity.is_connected(t, false, changed))
+    {
+      inner = with_changes(m_faces[s], changed, true);
+      outer = with_changes(m_faces[t], changed, false);
+    }
+    else if (!changed.empty())
+      connect_sides(s, t, inner, outer);
+    for (Nodes* nodes : {&changed, &m_faces[s], &inner})
+      for (Index f : *nodes)
+        m_partition.set_inner(f, false);
+    const double area = m_partition.area(inner);
+    if (is_large_enough(area, m_area[s] + m_area[t])) // or else the border stays where it is
     {
       m_faces[s] = std::move(inner);
-      m_faces[t].clear();
-      std::set_difference(both.begin(), both.end(), m_faces[s].begin(), m_faces[s].end(),
-                          std::back_inserter(m_faces[t]));
+      m_faces[t] = std::move(outer);
+      m_area[s] = area;
+      m_area[t] = m_partition.area(m_faces[t]);
     }
     for (Index f : m_faces[s])
       m_partition.set_segment(f, s);
   }
 
+  // Marks the inner side of the minimum cut in a band around the inner side of the segment; returns the nodes that have
+  // changed sides.
+  Nodes move_border(Index segment, const Nodes& inner)
+  {
+    constexpr Band band = {0.05, 1.4, 0.7};
+    const Nodes movable = band_of_cut(m_partition, segment, inner, band);
+    Band_network network(m_partition, segment, movable, m_number);
+    Nodes changed;
+    if (!network.has_terminals())
+      return changed;
+    const std::vector<bool> is_inner = network.source_side();
+    for (std::size_t i = 0; i < movable.size(); ++i)
+      if (m_partition.is_inner(movable[i]) != is_inner[i])
+        changed.push_back(movable[i]);
+    for (Index f : changed)
+      m_partition.set_inner(f, !m_partition.is_inner(f));
+    std::sort(changed.begin(), changed.end());
+    return changed;
+  }
+
+  // The nodes of a side after some have changed: without those that left, and with those that came.
+  Nodes with_changes(const Nodes& nodes, const Nodes& changed, bool inner) const
+  {
+    Nodes stayed, came, result;
+    stayed.reserve(nodes.size());
+    std::set_difference(nodes.begin(), nodes.end(), changed.begin(), changed.end(), std::back_inserter(stayed));
+    std::copy_if(changed.begin(), changed.end(), std::back_inserter(came),
+                 [&](Index f) { return m_partition.is_inner(f) == inner; });
+    result.reserve(stayed.size() + came.size());
+    std::merge(stayed.begin(), stayed.end(), came.begin(), came.end(), std::back_inserter(result));
+    return result;
+  }
+
+  // The nodes of both sides, made connected.
+  void connect_sides(Index s, Index t, Nodes& inner, Nodes& outer)
+  {
+    Nodes both;
+    std::merge(m_faces[s].begin(), m_faces[s].end(), m_faces[t].begin(), m_faces[t].end(), std::back_inserter(both));
+    inner = m_partition.connect_sides(both, t, m_partition.marked(both));
+    std::set_difference(both.begin(), both.end(), inner.begin(), inner.end(), std::back_inserter(outer));
+  }
+
   Graph_partition m_partition;
+  Local_connectivity m_connectivity;
   std::vector<Nodes> m_faces; // of every segment, ascending
+  std::vector<double> m_area; // of every segment
   std::vector<Index> m_number;
 };
 

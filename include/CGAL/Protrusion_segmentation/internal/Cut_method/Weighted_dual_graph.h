@@ -52,15 +52,6 @@ struct Weighted_dual_graph
   {
     return boost::irange(first_arc[node], first_arc[node + 1]);
   }
-  void reserve(std::size_t number_of_nodes, std::size_t number_of_arcs)
-  {
-    first_arc.reserve(number_of_nodes + 1);
-    area.reserve(number_of_nodes);
-    centre.reserve(number_of_nodes);
-    target.reserve(number_of_arcs);
-    length.reserve(number_of_arcs);
-    border_length.reserve(number_of_arcs);
-  }
   // The length of an arc, lengthened where it crosses a concave seam: distances from a tip grow there.
   double seam_length(Index arc) const
   {
@@ -79,9 +70,10 @@ struct Weighted_dual_graph
   {
     return {centre[node].x(), centre[node].y(), centre[node].z()};
   }
-  void add_centre(const Indexed_surface::Point_3& p)
+  void set_centre(Index node, const Indexed_surface::Point_3& p)
   {
-    centre.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()));
+    centre[node] = Simple_cartesian<float>::Point_3(static_cast<float>(p.x()), static_cast<float>(p.y()),
+                                                    static_cast<float>(p.z()));
   }
 };
 

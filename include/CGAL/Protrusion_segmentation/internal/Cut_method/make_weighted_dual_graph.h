@@ -10,9 +10,11 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/smooth_normals.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -22,13 +24,20 @@ namespace internal {
 
 // Six times the signed volume of a closed surface. Of one with borders it is taken as if every border were
 // closed by a fan around the centre of the surface's box, which is the origin.
-inline double signed_volume(const Indexed_surface& surface)
+inline double signed_volume(const Indexed_surface& surface, bool is_parallel)
 {
-  double volume = 0;
   const Indexed_surface::Point_3 origin(0, 0, 0);
-  for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
-    volume += surface.area_vector(f) * (surface.centroid(f) - origin);
-  return volume;
+  return add_blocks(surface.number_of_faces(), is_parallel, 0.,
+                    [&](std::size_t begin, std::size_t end)
+                    {
+                      double volume = 0;
+                      for (std::size_t i = begin; i < end; ++i)
+                      {
+                        const Indexed_surface::Index f = static_cast<Indexed_surface::Index>(i);
+                        volume += surface.area_vector(f) * (surface.centroid(f) - origin);
+                      }
+                      return volume;
+                    });
 }
 
 // The centre of gravity.
@@ -49,26 +58,32 @@ public:
   using Index = Indexed_surface::Index;
   using Vector_3 = Indexed_surface::Vector_3;
 
-  Weighted_dual_graph_maker(const Indexed_surface& surface, const Cut_policy& policy)
+  Weighted_dual_graph_maker(const Indexed_surface& surface, const Cut_policy& policy, Execution& execution)
     : m_surface(surface),
       m_policy(policy),
+      m_execution(execution),
       m_unit(surface.area() > 0 ? std::sqrt(surface.area()) : 1),
       m_centre(centroid(surface)),
-      m_outward(signed_volume(surface) < 0 ? -1 : 1)
+      m_outward(signed_volume(surface, execution.is_parallel()) < 0 ? -1 : 1)
   {
     m_graph.length_of_angle = policy.length_of_angle();
-    m_graph.reserve(surface.number_of_faces(), surface.number_of_corners());
   }
 
-  Weighted_dual_graph operator()(Execution& execution)
+  Weighted_dual_graph operator()()
   {
-    add_faces();
-    const Diffusion::Values normals = smooth_normals(m_graph, normals_of_faces(), normal_radius, execution);
+    number_arcs();
+    for_each_face([this](Index f) { measure(f); });
+    Diffusion::Values normals(m_surface.number_of_faces());
+    for_each_face([&](Index f) { normals[f] = normal(f); });
+    normals = smooth_normals(m_graph, std::move(normals), normal_radius, m_execution);
     for (std::vector<float>* weights : {&m_graph.curvature, &m_graph.concave_border_length, &m_graph.capacity})
-      weights->reserve(m_graph.target.size());
-    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-      for (Index arc : m_graph.arcs(f))
-        weigh(f, arc, normals);
+      weights->resize(m_graph.target.size());
+    for_each_face(
+      [&](Index f)
+      {
+        for (Index arc : m_graph.arcs(f))
+          weigh(f, arc, normals);
+      });
     return std::move(m_graph);
   }
 
@@ -84,38 +99,60 @@ private:
   // Centroids in one place must not make an infinite curvature.
   static constexpr double least_length = 1e-9;
 
-  void add_faces()
+  template <typename Visit>
+  void for_each_face(Visit visit)
   {
-    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-    {
-      m_graph.area.push_back(m_surface.area(f) / (m_unit * m_unit));
-      m_graph.add_centre(Indexed_surface::Point_3(0, 0, 0) + (m_surface.centroid(f) - m_centre) / m_unit);
-      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
-        if (m_surface.neighbor(c) != Indexed_surface::no_face())
-          add_arc(f, c);
-      m_graph.first_arc.push_back(static_cast<Index>(m_graph.target.size()));
-    }
+    for_each_block(m_surface.number_of_faces(), m_execution.is_parallel(),
+                   [&](std::size_t begin, std::size_t end, std::size_t)
+                   {
+                     for (std::size_t f = begin; f < end; ++f)
+                       visit(static_cast<Index>(f));
+                   });
   }
 
-  void add_arc(Index f, Index corner)
+  void number_arcs()
+  {
+    const Index n = m_surface.number_of_faces();
+    m_graph.first_arc.reserve(n + 1);
+    Index number_of_arcs = 0;
+    for (Index f = 0; f < n; ++f)
+    {
+      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+        number_of_arcs += m_surface.neighbor(c) != Indexed_surface::no_face();
+      m_graph.first_arc.push_back(number_of_arcs);
+    }
+    m_graph.area.resize(n);
+    m_graph.centre.resize(n);
+    m_graph.target.resize(number_of_arcs);
+    m_graph.length.resize(number_of_arcs);
+    m_graph.border_length.resize(number_of_arcs);
+  }
+
+  void measure(Index f)
+  {
+    m_graph.area[f] = m_surface.area(f) / (m_unit * m_unit);
+    m_graph.set_centre(f, Indexed_surface::Point_3(0, 0, 0) + (m_surface.centroid(f) - m_centre) / m_unit);
+    Index arc = m_graph.first_arc[f];
+    for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+      if (m_surface.neighbor(c) != Indexed_surface::no_face())
+        measure_arc(arc++, f, c);
+  }
+
+  void measure_arc(Index arc, Index f, Index corner)
   {
     const Index g = m_surface.neighbor(corner);
     const double length = std::sqrt((m_surface.centroid(g) - m_surface.centroid(f)).squared_length()) / m_unit;
-    m_graph.target.push_back(g);
-    m_graph.length.push_back(static_cast<float>((std::max)(length, least_length)));
-    m_graph.border_length.push_back(static_cast<float>(m_surface.edge_length(f, corner) / m_unit));
+    m_graph.target[arc] = g;
+    m_graph.length[arc] = static_cast<float>((std::max)(length, least_length));
+    m_graph.border_length[arc] = static_cast<float>(m_surface.edge_length(f, corner) / m_unit);
   }
 
-  Diffusion::Values normals_of_faces() const
+  Diffusion::Triple normal(Index f) const
   {
-    Diffusion::Values normals(m_surface.number_of_faces(), {0, 0, 0});
-    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-      if (m_surface.area(f) > 0)
-      {
-        const Vector_3 normal = m_surface.area_vector(f) / m_surface.area(f);
-        normals[f] = {static_cast<float>(normal.x()), static_cast<float>(normal.y()), static_cast<float>(normal.z())};
-      }
-    return normals;
+    if (!(m_surface.area(f) > 0))
+      return {0, 0, 0};
+    const Vector_3 normal = m_surface.area_vector(f) / m_surface.area(f);
+    return {static_cast<float>(normal.x()), static_cast<float>(normal.y()), static_cast<float>(normal.z())};
   }
 
   void weigh(Index f, Index arc, const Diffusion::Values& normals)
@@ -129,13 +166,14 @@ private:
     const double strength = (std::min)(largest_curvature, angle / m_graph.length[arc]);
     const double curvature = is_concave ? strength : -strength;
     const float border = m_graph.border_length[arc];
-    m_graph.curvature.push_back(static_cast<float>(curvature));
-    m_graph.concave_border_length.push_back(curvature > seam_curvature ? border : 0);
-    m_graph.capacity.push_back(static_cast<float>(m_policy.cost(border, curvature)));
+    m_graph.curvature[arc] = static_cast<float>(curvature);
+    m_graph.concave_border_length[arc] = curvature > seam_curvature ? border : 0;
+    m_graph.capacity[arc] = static_cast<float>(m_policy.cost(border, curvature));
   }
 
   const Indexed_surface& m_surface;
   const Cut_policy& m_policy;
+  Execution& m_execution;
   double m_unit;
   Indexed_surface::Point_3 m_centre;
   double m_outward;
@@ -146,7 +184,7 @@ inline Weighted_dual_graph make_weighted_dual_graph(const Indexed_surface& surfa
                                                     const Cut_policy& policy,
                                                     Execution& execution)
 {
-  return Weighted_dual_graph_maker(surface, policy)(execution);
+  return Weighted_dual_graph_maker(surface, policy, execution)();
 }
 
 } // namespace internal

@@ -7,9 +7,12 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -20,7 +23,8 @@ namespace internal {
 // face. Linear time.
 inline void measure_volumes(const Indexed_surface& surface,
                             const std::vector<Indexed_surface::Index>& node,
-                            Weighted_dual_graph& graph)
+                            Weighted_dual_graph& graph,
+                            bool is_parallel = false)
 {
   using Index = Indexed_surface::Index;
   using Vector_3 = Indexed_surface::Vector_3;
@@ -32,24 +36,31 @@ inline void measure_volumes(const Indexed_surface& surface,
   graph.border_moment.assign(graph.target.size(), Vector_3(0, 0, 0));
   graph.area_vector.assign(graph.number_of_nodes(), Vector_3(0, 0, 0));
   graph.flux.assign(graph.number_of_nodes(), 0);
-  for (Index f = 0; f < surface.number_of_faces(); ++f)
+  const auto add_corner = [&](Index f, Index c)
   {
-    const Vector_3 area_vector = surface.area_vector(f) / (unit * unit);
-    graph.area_vector[node[f]] += area_vector;
-    graph.flux[node[f]] += area_vector * position(surface.centroid(f));
-    for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
-    {
-      const Index g = surface.neighbor(c);
-      if (g == Indexed_surface::no_face() || node[g] == node[f])
-        continue;
-      const auto arcs = graph.arcs(node[f]);
-      const Index arc = *std::find_if(arcs.begin(), arcs.end(), [&](Index a) { return graph.target[a] == node[g]; });
-      const Vector_3 a = position(surface.point(surface.vertex(c)));
-      const Vector_3 b = position(surface.point(surface.vertex(surface.next_corner(f, c))));
-      graph.border_area[arc] += cross_product(a, b) / 2;
-      graph.border_moment[arc] += std::sqrt((b - a).squared_length()) * (a + b) / 2;
-    }
-  }
+    const Index g = surface.neighbor(c);
+    if (g == Indexed_surface::no_face() || node[g] == node[f])
+      return;
+    const auto arcs = graph.arcs(node[f]);
+    const Index arc = *std::find_if(arcs.begin(), arcs.end(), [&](Index a) { return graph.target[a] == node[g]; });
+    const Vector_3 a = position(surface.point(surface.vertex(c)));
+    const Vector_3 b = position(surface.point(surface.vertex(surface.next_corner(f, c))));
+    graph.border_area[arc] += cross_product(a, b) / 2;
+    graph.border_moment[arc] += std::sqrt((b - a).squared_length()) * (a + b) / 2;
+  };
+  const Index_groups faces(node, graph.number_of_nodes());
+  for_each_index(graph.number_of_nodes(), is_parallel,
+                 [&](std::size_t i)
+                 {
+                   for (Index f : faces[i])
+                   {
+                     const Vector_3 area_vector = surface.area_vector(f) / (unit * unit);
+                     graph.area_vector[i] += area_vector;
+                     graph.flux[i] += area_vector * position(surface.centroid(f));
+                     for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
+                       add_corner(f, c);
+                   }
+                 });
 }
 
 } // namespace internal

@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Edge_conductances.h>
 
 #include <CGAL/assertions.h>
@@ -28,7 +29,8 @@ namespace internal {
 // areas and L is the finite-volume Laplacian, by conjugate gradients with a diagonal preconditioner. That takes about
 // sqrt(time * number of nodes) iterations, each linear.
 //
-// The three systems are solved side by side, since an iteration waits for memory more than it computes.
+// The three systems are solved side by side, since an iteration waits for memory more than it computes. Sums are added
+// in blocks, so that they are rounded alike with any number of threads.
 class Diffusion
 {
 public:
@@ -37,21 +39,25 @@ public:
   using Values = std::vector<Triple>;
 
   // `scale`: of the conductances
-  Diffusion(const Weighted_dual_graph& graph, double time, double scale = 1)
-    : m_graph(graph), m_diagonal(graph.number_of_nodes()), m_weights(graph.target.size())
+  Diffusion(const Weighted_dual_graph& graph, double time, double scale = 1, bool is_parallel = false)
+    : m_graph(graph),
+      m_is_parallel(is_parallel),
+      m_diagonal(graph.number_of_nodes()),
+      m_weights(graph.target.size())
   {
     const float shortest = static_cast<float>(shortest_length(1, graph.number_of_nodes()));
-    for (Index i = 0; i < graph.number_of_nodes(); ++i)
-    {
-      double sum = mass(i);
-      for (Index arc : graph.arcs(i))
+    for_each_node(
+      [&](Index i)
       {
-        m_weights[arc] =
-          static_cast<float>(time * scale * conductance(graph.border_length[arc], graph.length[arc], shortest));
-        sum += m_weights[arc];
-      }
-      m_diagonal[i] = static_cast<float>(sum);
-    }
+        double sum = mass(i);
+        for (Index arc : graph.arcs(i))
+        {
+          m_weights[arc] =
+            static_cast<float>(time * scale * conductance(graph.border_length[arc], graph.length[arc], shortest));
+          sum += m_weights[arc];
+        }
+        m_diagonal[i] = static_cast<float>(sum);
+      });
   }
 
   // Replaces `x` by the diffused values, up to a residual of `tolerance` relative to the right hand side.
@@ -74,15 +80,53 @@ public:
       rho = advance(step, x);
       for (int i = 0; i < 3; ++i)
         share[i] = before[i] > 0 ? static_cast<float>(rho[i] / before[i]) : 0;
-      for (Index k = 0; k < x.size(); ++k)
-        for (int i = 0; i < 3; ++i)
-          m_direction[k][i] = m_residual[k][i] / m_diagonal[k] + share[i] * m_direction[k][i];
+      for_each_node(
+        [&](Index k)
+        {
+          for (int i = 0; i < 3; ++i)
+            m_direction[k][i] = m_residual[k][i] / m_diagonal[k] + share[i] * m_direction[k][i];
+        });
     }
     CGAL_warning_msg(false, "Protrusion_segmentation: smoothed normals are not as exact as they should be");
   }
 
 private:
-  using Sums = std::array<double, 3>;
+  struct Sums
+  {
+    std::array<double, 3> of = {0, 0, 0};
+
+    double& operator[](std::size_t i) { return of[i]; }
+    double operator[](std::size_t i) const { return of[i]; }
+    Sums operator+(const Sums& other) const
+    {
+      return {{of[0] + other[0], of[1] + other[1], of[2] + other[2]}};
+    }
+  };
+
+  template <typename Visit>
+  void for_each_node(Visit visit) const
+  {
+    for_each_block(m_graph.number_of_nodes(), m_is_parallel,
+                   [&](std::size_t begin, std::size_t end, std::size_t)
+                   {
+                     for (std::size_t i = begin; i < end; ++i)
+                       visit(static_cast<Index>(i));
+                   });
+  }
+
+  // `add(node, sums)` adds the terms of a node.
+  template <typename Add>
+  Sums add_nodes(Add add) const
+  {
+    return add_blocks(m_graph.number_of_nodes(), m_is_parallel, Sums(),
+                      [&](std::size_t begin, std::size_t end)
+                      {
+                        Sums sums;
+                        for (std::size_t i = begin; i < end; ++i)
+                          add(static_cast<Index>(i), sums);
+                        return sums;
+                      });
+  }
 
   // a face without area still must not make the matrix singular
   double mass(Index i) const { return m_graph.area[i] + 1e-9 / m_graph.number_of_nodes(); }
@@ -94,52 +138,54 @@ private:
     m_direction.resize(x.size());
     m_product.resize(x.size());
     multiply(x, m_product);
-    Sums norms = {0, 0, 0};
-    for (Index k = 0; k < x.size(); ++k)
-      for (int i = 0; i < 3; ++i)
+    return add_nodes(
+      [&](Index k, Sums& norms)
       {
-        const double b = mass(k) * x[k][i];
-        m_residual[k][i] = static_cast<float>(b - m_product[k][i]);
-        m_direction[k][i] = m_residual[k][i] / m_diagonal[k];
-        norms[i] += b * b / m_diagonal[k];
-      }
-    return norms;
+        for (int i = 0; i < 3; ++i)
+        {
+          const double b = mass(k) * x[k][i];
+          m_residual[k][i] = static_cast<float>(b - m_product[k][i]);
+          m_direction[k][i] = m_residual[k][i] / m_diagonal[k];
+          norms[i] += b * b / m_diagonal[k];
+        }
+      });
   }
 
   // Goes `step` along the direction; returns the norms of the new residuals.
   Sums advance(const Triple& step, Values& x)
   {
-    Sums sums = {0, 0, 0};
-    for (std::size_t k = 0; k < x.size(); ++k)
-      for (int i = 0; i < 3; ++i)
+    return add_nodes(
+      [&](Index k, Sums& sums)
       {
-        x[k][i] += step[i] * m_direction[k][i];
-        m_residual[k][i] -= step[i] * m_product[k][i];
-        sums[i] += m_residual[k][i] * static_cast<double>(m_residual[k][i] / m_diagonal[k]);
-      }
-    return sums;
+        for (int i = 0; i < 3; ++i)
+        {
+          x[k][i] += step[i] * m_direction[k][i];
+          m_residual[k][i] -= step[i] * m_product[k][i];
+          sums[i] += m_residual[k][i] * static_cast<double>(m_residual[k][i] / m_diagonal[k]);
+        }
+      });
   }
 
   // Returns the scalar products of the values with the result.
   Sums multiply(const Values& x, Values& result) const
   {
-    Sums sums = {0, 0, 0};
-    for (Index k = 0; k < m_graph.number_of_nodes(); ++k)
-    {
-      Triple row;
-      for (int i = 0; i < 3; ++i)
-        row[i] = m_diagonal[k] * x[k][i];
-      for (Index arc : m_graph.arcs(k))
+    return add_nodes(
+      [&](Index k, Sums& sums)
+      {
+        Triple row;
         for (int i = 0; i < 3; ++i)
-          row[i] -= m_weights[arc] * x[m_graph.target[arc]][i];
-      result[k] = row;
-      for (int i = 0; i < 3; ++i)
-        sums[i] += x[k][i] * static_cast<double>(row[i]);
-    }
-    return sums;
+          row[i] = m_diagonal[k] * x[k][i];
+        for (Index arc : m_graph.arcs(k))
+          for (int i = 0; i < 3; ++i)
+            row[i] -= m_weights[arc] * x[m_graph.target[arc]][i];
+        result[k] = row;
+        for (int i = 0; i < 3; ++i)
+          sums[i] += x[k][i] * static_cast<double>(row[i]);
+      });
   }
 
   const Weighted_dual_graph& m_graph;
+  bool m_is_parallel;
   std::vector<float> m_diagonal;
   std::vector<float> m_weights; // of every arc
   Values m_residual, m_direction, m_product;
@@ -184,14 +230,14 @@ private:
     for (Index i = 0; i < graph.number_of_nodes(); ++i)
       values[i] = means[groups.node[i]];
     constexpr double tolerance = 1e-2;
-    Diffusion(graph, time_between_groups, scale)(values, tolerance, m_execution);
+    Diffusion(graph, time_between_groups, scale, m_execution.is_parallel())(values, tolerance, m_execution);
   }
 
   void diffuse_twice(const Weighted_dual_graph& graph, double scale, double time, Values& values) const
   {
     constexpr int steps = 2; // which is nearer to a disc than one
     constexpr double tolerance = 1e-4; // normals need no more
-    Diffusion diffusion(graph, time / steps, scale);
+    Diffusion diffusion(graph, time / steps, scale, m_execution.is_parallel());
     for (int step = 0; step < steps; ++step)
     {
       m_execution.progress(static_cast<double>(step) / steps);

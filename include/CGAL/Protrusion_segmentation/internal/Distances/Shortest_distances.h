@@ -6,12 +6,16 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_SHORTEST_DISTANCES_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Bucket_ring.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/prefetch.h>
 
 #include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
 #include <boost/property_map/property_map.hpp>
+#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -31,13 +35,77 @@ struct Shortest_path_tree
   std::vector<Indexed_surface::Index> parent;
 };
 
+// The face dual graph as shortest paths read it: what is known of an arc lies in one place.
+class Dual_arcs
+{
+public:
+  using Index = Indexed_surface::Index;
+
+  // 12 bytes, without a gap between the target and the length.
+  class Arc
+  {
+  public:
+    Arc(Index target, double length) : m_target(target) { std::memcpy(m_length, &length, sizeof(length)); }
+    Index target() const { return m_target; }
+    double length() const
+    {
+      double length;
+      std::memcpy(&length, m_length, sizeof(length));
+      return length;
+    }
+
+  private:
+    Index m_target;
+    Index m_length[2];
+  };
+
+  explicit Dual_arcs(const Indexed_surface& surface)
+  {
+    reserve(surface.number_of_faces(), surface.number_of_corners());
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
+    {
+      for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
+        if (const Index g = surface.neighbor(c); g != Indexed_surface::no_face())
+          m_arcs.emplace_back(g, surface.arc_length(f, g));
+      m_first.push_back(static_cast<Index>(m_arcs.size()));
+    }
+  }
+
+  explicit Dual_arcs(const Indexed_surface::Dual_graph& graph)
+  {
+    reserve(num_vertices(graph), num_edges(graph));
+    for (Index f = 0; f < num_vertices(graph); ++f)
+    {
+      for (const auto arc : boost::make_iterator_range(out_edges(f, graph)))
+        m_arcs.emplace_back(target(arc, graph), graph[arc].length);
+      m_first.push_back(static_cast<Index>(m_arcs.size()));
+    }
+  }
+
+  std::size_t number_of_faces() const { return m_first.size() - 1; }
+  const std::vector<Arc>& all() const { return m_arcs; }
+  boost::iterator_range<const Arc*> operator[](Index face) const
+  {
+    return {m_arcs.data() + m_first[face], m_arcs.data() + m_first[face + 1]};
+  }
+
+private:
+  void reserve(std::size_t number_of_faces, std::size_t number_of_arcs)
+  {
+    m_first.reserve(number_of_faces + 1);
+    m_first.push_back(0);
+    m_arcs.reserve(number_of_arcs);
+  }
+
+  std::vector<Index> m_first; // of every face, and the end
+  std::vector<Arc> m_arcs;
+};
+
 // Single-source shortest paths on the face dual graph (Section III.B.2), with the same result to the last
 // bit as Dijkstra's algorithm of the Boost Graph Library.
 //
-// A ring of buckets, each as wide as the mean arc, takes the place of the heap. Inside a bucket a face may
-// be scanned again when a shorter path to it turns up; since rounding is monotone, the distances still are
-// the smallest over all paths. On Princeton models 1.06 scans per face and 3 times the speed of Boost's
-// 4-ary heap. Where the longest arc is too long for the ring, Boost's algorithm does the work.
+// A `Bucket_ring` takes the place of the heap; where the longest arc is too long for it, Boost's algorithm does the
+// work. `bucket_shortest_paths()` is the same for any graph; this one knows the tree of paths and bounds.
 //
 // All work arrays are kept between runs.
 class Shortest_distances
@@ -47,34 +115,27 @@ public:
   using Graph = Indexed_surface::Dual_graph;
   static constexpr double unreachable() { return (std::numeric_limits<double>::infinity)(); }
 
-  explicit Shortest_distances(const Indexed_surface& surface) : Shortest_distances(surface.dual_graph()) {}
-
-  explicit Shortest_distances(Graph graph) : m_graph(std::make_shared<const Graph>(std::move(graph)))
+  explicit Shortest_distances(const Indexed_surface& surface)
+    : m_arcs(std::make_shared<const Dual_arcs>(surface)), m_ring(ring_for(*m_arcs))
   {
-    double sum = 0, longest = 0;
-    for (const auto arc : boost::make_iterator_range(edges(*m_graph)))
-    {
-      sum += (*m_graph)[arc].length;
-      longest = (std::max)(longest, (*m_graph)[arc].length);
-    }
-    if (sum > 0)
-    {
-      const double mean = sum / static_cast<double>(num_edges(*m_graph));
-      m_buckets_per_unit = 1 / mean;
-      // An arc ends at most longest / mean + 1 buckets further, and one more where rounding moves its ends
-      // to different sides of a bucket's limit. The ring must be longer than that.
-      if (longest <= mean * max_buckets)
-        m_buckets.resize(static_cast<std::size_t>(longest / mean) + 3);
-    }
+    if (!m_ring.is_usable())
+      m_graph = std::make_shared<const Graph>(surface.dual_graph());
+  }
+
+  explicit Shortest_distances(Graph graph)
+    : m_arcs(std::make_shared<const Dual_arcs>(graph)), m_ring(ring_for(*m_arcs))
+  {
+    if (!m_ring.is_usable())
+      m_graph = std::make_shared<const Graph>(std::move(graph));
   }
 
   // The distances from `source`; faces farther than `bound` may be left unreachable.
   void operator()(Index source, std::vector<double>& distances, double bound = unreachable())
   {
     ++m_number_of_runs;
-    distances.assign(num_vertices(*m_graph), unreachable());
+    distances.assign(m_arcs->number_of_faces(), unreachable());
     m_tree.order.clear();
-    if (m_buckets.empty())
+    if (m_graph)
       run_boost(source, distances);
     else
       run_buckets(source, distances, bound);
@@ -88,9 +149,16 @@ public:
   std::size_t number_of_scanned_faces() const { return m_number_of_scanned_faces; }
 
 private:
-  // A longer ring would cost more to walk than the heap; meshes with arcs a thousand times their mean are
-  // needles and rare.
-  static constexpr std::size_t max_buckets = 1024;
+  static Bucket_ring<Index> ring_for(const Dual_arcs& arcs)
+  {
+    double sum = 0, longest = 0;
+    for (const Dual_arcs::Arc& arc : arcs.all())
+    {
+      sum += arc.length();
+      longest = (std::max)(longest, arc.length());
+    }
+    return Bucket_ring<Index>(sum, (std::max)(arcs.all().size(), std::size_t(1)), longest);
+  }
 
   void run_boost(Index source, std::vector<double>& distances)
   {
@@ -102,64 +170,43 @@ private:
     m_number_of_scanned_faces += distances.size();
   }
 
-  std::size_t bucket(double distance) const
-  {
-    return static_cast<std::size_t>(distance * m_buckets_per_unit);
-  }
-
-  // The place in the ring of the bucket `ahead` of the one at `place`, less than a round; a division by the
-  // size of the ring would take a fifth of the whole time.
-  std::size_t place_ahead(std::size_t place, std::size_t ahead) const
-  {
-    return place + ahead < m_buckets.size() ? place + ahead : place + ahead - m_buckets.size();
-  }
-
   void run_buckets(Index source, std::vector<double>& distances, double bound)
   {
     m_tree.parent.resize(distances.size());
     m_tree.order.reserve(distances.size() + distances.size() / 8); // more than the faces scanned again
     distances[source] = 0;
-    m_buckets[0].push_back(source);
-    std::size_t pending = 1;
-    for (std::size_t current = 0, place = 0; pending > 0; ++current, place = place_ahead(place, 1))
-    {
-      std::vector<Index>& queue = m_buckets[place];
-      for (std::size_t i = 0; i < queue.size(); ++i) // the queue grows while it is read
-        if (bucket(distances[queue[i]]) == current)  // else: scanned before, from a nearer bucket
-          pending += scan(queue[i], current, place, distances, bound);
-      pending -= queue.size();
-      queue.clear();
-    }
+    m_ring.push(source, 0);
+    m_ring.scan_all([&](Index face) { return distances[face]; },
+                    [&](Index face) { scan(face, distances, bound); },
+                    [&](Index face)
+                    {
+                      prefetch(&distances[face]);
+                      prefetch((*m_arcs)[face].begin());
+                    });
     m_number_of_scanned_faces += m_tree.order.size();
   }
 
-  // Offers the paths over `face` to its neighbours; returns how many took one.
-  std::size_t scan(Index face,
-                   std::size_t current,
-                   std::size_t place,
-                   std::vector<double>& distances,
-                   double bound)
+  // Offers the paths over `face` to its neighbours.
+  void scan(Index face, std::vector<double>& distances, double bound)
   {
     m_tree.order.push_back(face);
-    std::size_t taken = 0;
-    for (const auto arc : boost::make_iterator_range(out_edges(face, *m_graph)))
+    const double to_face = distances[face];
+    for (const Dual_arcs::Arc& arc : (*m_arcs)[face])
     {
-      const double distance = distances[face] + (*m_graph)[arc].length;
-      const Index neighbor = target(arc, *m_graph);
+      const double distance = to_face + arc.length();
+      const Index neighbor = arc.target();
       if (distance < distances[neighbor] && distance <= bound)
       {
         distances[neighbor] = distance;
         m_tree.parent[neighbor] = face;
-        m_buckets[place_ahead(place, bucket(distance) - current)].push_back(neighbor);
-        ++taken;
+        m_ring.push(neighbor, distance);
       }
     }
-    return taken;
   }
 
-  std::shared_ptr<const Graph> m_graph; // shared by copies, one for each thread
-  double m_buckets_per_unit = 0;
-  std::vector<std::vector<Index>> m_buckets;
+  std::shared_ptr<const Dual_arcs> m_arcs; // shared by copies, one for each thread
+  std::shared_ptr<const Graph> m_graph;    // where Boost's algorithm does the work
+  Bucket_ring<Index> m_ring;
   Shortest_path_tree m_tree;
   std::size_t m_number_of_runs = 0;
   std::size_t m_number_of_scanned_faces = 0;

@@ -221,7 +221,12 @@ inline Eigen::RowVectorXd right_eigenvector(const Random_walk& walk, const Eigen
 inline double decay(const std::vector<double>& values, std::size_t k, double time)
 {
   constexpr double zero = 1e-12; // a thousandth of the smallest value on meshes of millions of faces
-  const auto rate = [](double value) { return -std::log(std::abs(1 - value)); };
+  // finite and above 0 also for an eigenvalue 0, gone after a step, and for -1, which alternates for ever
+  const auto rate = [](double value)
+  {
+    constexpr double epsilon = std::numeric_limits<double>::epsilon();
+    return -std::log(std::clamp(std::abs(1 - value), epsilon, 1 - epsilon));
+  };
   const auto slowest =
     std::find_if(values.begin(), values.end(), [](double value) { return value > zero; });
   if (time == 0 || slowest == values.end() || values[k] <= zero)

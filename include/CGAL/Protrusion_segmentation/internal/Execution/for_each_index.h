@@ -52,6 +52,22 @@ void for_each_index(std::size_t n, bool parallel, Workspace& workspace, Body bod
   finish(workspace);
 }
 
+// The same without a workspace: `body(i)`.
+template <typename Body>
+void for_each_index(std::size_t n, bool parallel, Body body)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if (parallel)
+  {
+    tbb::parallel_for(std::size_t(0), n, body);
+    return;
+  }
+#endif
+  static_cast<void>(parallel);
+  for (std::size_t i = 0; i < n; ++i)
+    body(i);
+}
+
 } // namespace internal
 } // namespace Protrusion_segmentation
 } // namespace CGAL

@@ -32,14 +32,19 @@ namespace internal {
 struct Segment_surface
 {
   Indexed_surface::Index id;
-  Extracted_segment extracted;
+  Extracted_segment extracted; // without a surface if it is all of `whole`, which would be there twice
+  const Indexed_surface& surface;
   std::unique_ptr<Distances_on_surface> distances; // refer to the surface
 
   Segment_surface(Indexed_surface::Index id_,
                   Extracted_segment extracted_,
+                  const Indexed_surface& whole,
                   const Any_distance& distance,
                   Execution& execution)
-    : id(id_), extracted(std::move(extracted_)), distances(distance.on(extracted.surface, execution))
+    : id(id_),
+      extracted(std::move(extracted_)),
+      surface(extracted.faces.size() == whole.number_of_faces() ? whole : extracted.surface),
+      distances(distance.on(surface, execution))
   {}
   Segment_surface(const Segment_surface&) = delete;
   Segment_surface& operator=(const Segment_surface&) = delete;
@@ -154,7 +159,11 @@ private:
   Segment_surface make_segment(Index id)
   {
     const Stage_scope stage(m_observer, Stage::PREPARATION);
-    return Segment_surface(id, m_extract(m_segments.faces(id)), m_distance, m_execution);
+    const Nested_segments::Faces& faces = m_segments.faces(id);
+    const bool is_whole = faces.size() == m_surface.number_of_faces();
+    Extracted_segment extracted = is_whole ? Extracted_segment{{}, faces, std::vector<bool>(faces.size(), false)}
+                                           : m_extract(faces);
+    return Segment_surface(id, std::move(extracted), m_surface, m_distance, m_execution);
   }
 
   // Steps 2 to 4 in one segment; returns whether a protrusion was cut off. The records of a segment that
@@ -187,9 +196,9 @@ private:
   {
     const Stage_scope stage(m_observer, Stage::TIPS);
     const Extracted_segment& extracted = segment.extracted;
-    Plane_section section(extracted.surface);
+    Plane_section section(segment.surface);
     select_protrusion_tips(
-      extracted.surface, *segment.distances, wanted,
+      segment.surface, *segment.distances, wanted,
       // where the segment was cut off there is no tip of a protrusion, however far it may be
       [&](Index face) { return !extracted.is_on_cut[face]; },
       [&](Index face, const std::vector<double>& distances)
@@ -208,7 +217,7 @@ private:
                   Plane_section& section)
   {
     const Stage_scope stage(m_observer, Stage::BORDERS);
-    add_tip_record(segment.extracted.surface, face, !segment.extracted.is_on_cut[face], distances, section,
+    add_tip_record(segment.surface, face, !segment.extracted.is_on_cut[face], distances, section,
                    m_execution, m_records[segment.id]);
   }
 
@@ -217,8 +226,8 @@ private:
   void record_given_tips(Segment_surface& segment, const std::vector<Index>& tips)
   {
     const Stage_scope stage(m_observer, Stage::TIPS);
-    Plane_section section(segment.extracted.surface);
-    std::vector<double> to_nearest_tip(segment.extracted.surface.number_of_faces(),
+    Plane_section section(segment.surface);
+    std::vector<double> to_nearest_tip(segment.surface.number_of_faces(),
                                        (std::numeric_limits<double>::max)());
     std::vector<double> distances;
     for (std::size_t i = 0; i < (std::max)(tips.size(), least_number_of_tips); ++i)
@@ -271,7 +280,7 @@ private:
   void cut_off_all(Segment_surface& segment, const std::vector<Tip_border>& borders)
   {
     const Stage_scope stage(m_observer, Stage::LABELS);
-    const Indexed_surface& surface = segment.extracted.surface;
+    const Indexed_surface& surface = segment.surface;
     const Tip_records records = std::exchange(m_records[segment.id], {});
     std::vector<Index> labels(surface.number_of_faces(), segment.id);
     std::vector<double> distances;

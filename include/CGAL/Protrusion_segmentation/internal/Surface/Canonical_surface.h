@@ -24,12 +24,12 @@ public:
   using Index = Indexed_surface::Index;
 
   // `unit`: what turns lengths of the arrays into those of the mesh
-  Canonical_surface(Surface_arrays arrays, double unit)
-    : m_unit(unit), m_position(canonical_order(arrays))
+  Canonical_surface(Surface_arrays arrays, double unit, bool is_parallel = false)
+    : m_unit(unit), m_position(canonical_order(arrays, is_parallel))
   {
     Surface_arrays ordered = Face_selector<Surface_arrays>(arrays)(m_position, [](Index) {});
     arrays = {}; // before memory is needed for more
-    m_surface = std::move(ordered).to_surface();
+    m_surface = std::move(ordered).to_surface(is_parallel);
   }
 
   const Indexed_surface& surface() const { return m_surface; }

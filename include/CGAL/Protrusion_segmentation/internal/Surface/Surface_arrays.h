@@ -32,10 +32,10 @@ struct Surface_arrays
   Index neighbor(Index corner) const { return corner_neighbors[corner]; }
 
   // leaves the arrays empty
-  Indexed_surface to_surface() &&
+  Indexed_surface to_surface(bool is_parallel = false) &&
   {
     return Indexed_surface(std::move(points), std::move(corner_begin), std::move(corner_vertices),
-                        std::move(corner_neighbors));
+                           std::move(corner_neighbors), is_parallel);
   }
 };
 

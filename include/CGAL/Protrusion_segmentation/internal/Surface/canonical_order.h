@@ -6,9 +6,11 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CANONICAL_ORDER_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -50,24 +52,32 @@ inline Indexed_surface::Point_3 mean_of_corners(const Surface_arrays& surface, I
 // The faces in the order of their centres on the Z-order curve. The stages work in this order, so that a tie
 // is decided by where a face is and not by its place in a file, sums are rounded alike, and neighbours on the
 // surface are near in memory. Only faces with the same centre stay in the order of the mesh.
-inline std::vector<Indexed_surface::Index> canonical_order(const Surface_arrays& surface)
+inline std::vector<Indexed_surface::Index> canonical_order(const Surface_arrays& surface, bool is_parallel = false)
 {
   using Index = Indexed_surface::Index;
-  std::vector<std::pair<std::uint64_t, Index>> places;
-  places.reserve(surface.number_of_faces());
-  for (Index f = 0; f < surface.number_of_faces(); ++f)
-    places.emplace_back(z_order(mean_of_corners(surface, f)), f);
-  std::sort(places.begin(), places.end(), [&surface](const auto& a, const auto& b)
-            {
-              if (a.first != b.first)
-                return a.first < b.first;
-              const Indexed_surface::Point_3 p = mean_of_corners(surface, a.second);
-              const Indexed_surface::Point_3 q = mean_of_corners(surface, b.second);
-              return p != q ? p < q : a.second < b.second;
-            });
+  using Place = std::pair<std::uint64_t, Index>;
+  std::vector<Place> places(surface.number_of_faces());
+  for_each_block(places.size(), is_parallel,
+                 [&](std::size_t begin, std::size_t end, std::size_t)
+                 {
+                   for (std::size_t i = begin; i < end; ++i)
+                   {
+                     const Index f = static_cast<Index>(i);
+                     places[i] = {z_order(mean_of_corners(surface, f)), f};
+                   }
+                 });
+  const auto less = [&surface](const Place& a, const Place& b)
+  {
+    if (a.first != b.first)
+      return a.first < b.first;
+    const Indexed_surface::Point_3 p = mean_of_corners(surface, a.second);
+    const Indexed_surface::Point_3 q = mean_of_corners(surface, b.second);
+    return p != q ? p < q : a.second < b.second;
+  };
+  sort_different(places, is_parallel, less, [&less](auto begin, auto end) { std::sort(begin, end, less); });
   std::vector<Index> order;
   order.reserve(places.size());
-  for (const auto& place : places)
+  for (const Place& place : places)
     order.push_back(place.second);
   return order;
 }

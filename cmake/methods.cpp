@@ -1,0 +1,10 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the methods do, for the tests, which see declarations only: `internal/inline.h` says more.
+
+#define CGAL_PROTRUSION_SEGMENTATION_INLINE
+
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
+#include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>

@@ -1,0 +1,120 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_LOCAL_CONNECTIVITY_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_LOCAL_CONNECTIVITY_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Finds out that a side of a cut is connected without a walk over all of it, when some nodes have just changed sides.
+//
+// What was connected still is if the nodes around those that left are connected with each other, and with those that
+// came: a path over nodes that left has a way around them. From all of these a front advances at the same time, until
+// fronts have met so often that they are one, which takes a few steps where a border has moved.
+class Local_connectivity
+{
+public:
+  using Index = Graph_partition::Index;
+  using Nodes = Graph_partition::Nodes;
+
+  // The partition must outlive the object.
+  explicit Local_connectivity(const Graph_partition& partition)
+    : m_partition(partition), m_front(partition.graph().number_of_nodes(), none)
+  {}
+
+  // Whether a side of a segment, connected before the nodes `changed` went from it to the other one or came from there,
+  // is seen to be connected. False says nothing.
+  bool is_connected(Index segment, bool inner, const Nodes& changed)
+  {
+    const bool has_old_node = begin(segment, inner, changed);
+    std::size_t number_of_fronts = m_queue.size();
+    m_root.resize(m_queue.size());
+    std::iota(m_root.begin(), m_root.end(), Index(0));
+    for (std::size_t k = 0; k < m_queue.size() && number_of_fronts > 1; ++k)
+      for (Index arc : m_partition.graph().arcs(m_queue[k]))
+      {
+        const Index j = m_partition.graph().target[arc];
+        if (!is_on_side(j, segment, inner))
+          continue;
+        if (m_front[j] == none)
+          add(j, m_front[m_queue[k]]);
+        else
+          number_of_fronts -= join(m_front[j], m_front[m_queue[k]]);
+      }
+    for (Index i : m_queue)
+      m_front[i] = none;
+    return has_old_node && number_of_fronts == 1;
+  }
+
+private:
+  static constexpr Index none = Indexed_surface::no_face();
+
+  bool is_on_side(Index node, Index segment, bool inner) const
+  {
+    return m_partition.segment(node) == segment && m_partition.is_inner(node) == inner;
+  }
+
+  void add(Index node, Index front)
+  {
+    m_front[node] = front;
+    m_queue.push_back(node);
+  }
+
+  // A front begins at every node of the side that changed, or is next to one that did. Returns whether a node was on the
+  // side before.
+  bool begin(Index segment, bool inner, const Nodes& changed)
+  {
+    m_queue.clear();
+    for (Index i : changed)
+      if (is_on_side(i, segment, inner))
+        add(i, static_cast<Index>(m_queue.size()));
+    const std::size_t number_of_new = m_queue.size();
+    for (Index i : changed)
+      for (Index arc : m_partition.graph().arcs(i))
+      {
+        const Index j = m_partition.graph().target[arc];
+        if (is_on_side(j, segment, inner) && m_front[j] == none)
+          add(j, static_cast<Index>(m_queue.size()));
+      }
+    return m_queue.size() > number_of_new;
+  }
+
+  Index find(Index front)
+  {
+    while (m_root[front] != front)
+      front = m_root[front] = m_root[m_root[front]];
+    return front;
+  }
+
+  // Returns whether they were two.
+  bool join(Index a, Index b)
+  {
+    a = find(a);
+    b = find(b);
+    m_root[(std::max)(a, b)] = (std::min)(a, b);
+    return a != b;
+  }
+
+  const Graph_partition& m_partition;
+  std::vector<Index> m_front; // that reached a node
+  Nodes m_queue;
+  std::vector<Index> m_root; // of the fronts that have met
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_LOCAL_CONNECTIVITY_H

@@ -1,0 +1,83 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_EXECUTION_FOR_EACH_BLOCK_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_EXECUTION_FOR_EACH_BLOCK_H
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Loops over many indices, in blocks that do not depend on the number of threads. A block takes some tens of
+// microseconds, to start one takes less than one.
+constexpr std::size_t indices_of_block = 4096;
+
+inline std::size_t number_of_blocks(std::size_t n)
+{
+  return (n + indices_of_block - 1) / indices_of_block;
+}
+
+// Calls `body(begin, end, block)` for every block of the indices from 0 to n - 1; if parallel, several threads do so,
+// in any order.
+template <typename Body>
+void for_each_block(std::size_t n, bool parallel, Body body)
+{
+  const auto call = [&](std::size_t block)
+  { body(block * indices_of_block, (std::min)(n, (block + 1) * indices_of_block), block); };
+#ifdef CGAL_LINKED_WITH_TBB
+  if (parallel)
+  {
+    tbb::parallel_for(std::size_t(0), number_of_blocks(n), call);
+    return;
+  }
+#endif
+  static_cast<void>(parallel);
+  for (std::size_t block = 0; block < number_of_blocks(n); ++block)
+    call(block);
+}
+
+// `sum` plus `term(begin, end)` of every block, added in the order of the blocks: rounded alike with any number of
+// threads.
+template <typename Sum, typename Term>
+Sum add_blocks(std::size_t n, bool parallel, Sum sum, Term term)
+{
+  std::vector<Sum> terms(number_of_blocks(n), sum);
+  for_each_block(n, parallel,
+                 [&](std::size_t begin, std::size_t end, std::size_t block) { terms[block] = term(begin, end); });
+  for (const Sum& block : terms)
+    sum = sum + block;
+  return sum;
+}
+
+// Sorts values of which no two are equivalent, so that their order is the same however it is found; by
+// `sort(begin, end)` if not parallel.
+template <typename T, typename Less, typename Sort>
+void sort_different(std::vector<T>& values, bool parallel, Less less, Sort sort)
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  if (parallel)
+  {
+    tbb::parallel_sort(values.begin(), values.end(), less);
+    return;
+  }
+#endif
+  static_cast<void>(parallel);
+  static_cast<void>(less);
+  sort(values.begin(), values.end());
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_EXECUTION_FOR_EACH_BLOCK_H
