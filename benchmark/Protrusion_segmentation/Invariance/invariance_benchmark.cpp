@@ -10,6 +10,7 @@
 #include "named_methods.h"
 #include "peers.h"
 #include "protrusion_methods.h"
+#include "sdf_methods.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Protrusion_segmentation/internal/Metrics/overlap_errors.h>

@@ -4,7 +4,8 @@
 
 #include "Benchmark_folder.h"
 
-#include <CGAL/IO/SEG.h>
+#include "Segmentation_folder.h"
+
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 
 #include <algorithm>
@@ -48,40 +49,10 @@ std::set<int> parsed_list(const std::string& list)
   return result;
 }
 
-Labels read_labels(const std::string& file_name, const Mesh& mesh)
-{
-  Labels labels(mesh.number_of_faces());
-  const std::string problem = CGAL::Protrusion_segmentation::internal::read_segments(
-    file_name, mesh, CGAL::make_property_map(labels));
-  if(!problem.empty())
-    throw std::runtime_error(file_name + ": " + problem);
-  return labels;
-}
-
 } // namespace
 
-const std::vector<std::string>& class_names()
-{
-  static const std::vector<std::string> names = {
-    "Human", "Cup", "Glasses", "Airplane", "Ant", "Chair", "Octopus", "Table", "Teddy", "Hand",
-    "Plier", "Fish", "Bird", "Armadillo", "Bust", "Mech", "Bearing", "Vase", "FourLeg"};
-  return names;
-}
-
-std::string class_of_model(int model)
-{
-  // The benchmark dropped a class: numbers 261 to 280 are not used.
-  const int first_unused = 261, models_per_class = 20;
-  const bool is_used = model >= 1 && model <= 400
-                    && (model < first_unused || model >= first_unused + models_per_class);
-  if(!is_used)
-    throw std::invalid_argument(std::to_string(model) + " is no model of the benchmark");
-  const int before = model < first_unused ? 0 : 1;
-  return class_names()[std::size_t((model - 1) / models_per_class - before)];
-}
-
-Benchmark_folder::Benchmark_folder(const std::string& path)
-  : m_path(path)
+Benchmark_folder::Benchmark_folder(const std::string& path, const Model_classes& classes)
+  : m_path(path), m_classes(classes)
 {
   std::error_code error;
   for(const fs::directory_entry& entry : fs::directory_iterator(fs::path(path) / "off", error))
@@ -115,7 +86,7 @@ Model Benchmark_folder::read_model(int number) const
   Model model;
   const std::string name = std::to_string(number);
   model.number = number;
-  model.class_name = class_of_model(number);
+  model.class_name = m_classes.of_model(number);
   model.number_of_segments = m_numbers_of_segments.at(std::size_t(number - 1));
 
   const std::string mesh_file = (fs::path(m_path) / "off" / (name + ".off")).string();

@@ -11,17 +11,12 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_BENCHMARK_FOLDER_H
 #define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_BENCHMARK_FOLDER_H
 
+#include "Model_classes.h"
 #include "Segmentation_method.h"
 
 #include <cstddef>
 #include <string>
 #include <vector>
-
-// Classes in the order of the benchmark, twenty models each.
-const std::vector<std::string>& class_names();
-
-// Throws `std::invalid_argument` for a number that is no model's.
-std::string class_of_model(int model);
 
 struct Model
 {
@@ -36,7 +31,7 @@ class Benchmark_folder
 {
 public:
   // Throws `std::runtime_error` if the folder is not laid out as above.
-  explicit Benchmark_folder(const std::string& path);
+  explicit Benchmark_folder(const std::string& path, const Model_classes& classes = Model_classes());
 
   // The models that are there among those of the list, such as "2,4,10-50"; "" stands for all.
   // Throws `std::invalid_argument` if the list cannot be understood.
@@ -47,6 +42,7 @@ public:
 
 private:
   std::string m_path;
+  Model_classes m_classes;
   std::vector<int> m_models;                    // sorted
   std::vector<std::size_t> m_numbers_of_segments; // of model 1, 2, ...
 };

@@ -9,10 +9,9 @@
 std::vector<std::string> Results::classes() const
 {
   std::vector<std::string> result;
-  for(const std::string& name : class_names())
-    if(std::any_of(m_models.begin(), m_models.end(), [&](const Model_results& m)
-                   { return class_of_model(m.model) == name; }))
-      result.push_back(name);
+  for(const Model_results& m : m_models)
+    if(std::find(result.begin(), result.end(), m.class_name) == result.end())
+      result.push_back(m.class_name);
   return result;
 }
 
@@ -20,7 +19,7 @@ Scores Results::of_class(std::size_t row, const std::string& class_name) const
 {
   Mean_scores mean;
   for(const Model_results& model : m_models)
-    if(class_of_model(model.model) == class_name)
+    if(model.class_name == class_name)
       mean.add(scores(model, row));
   return mean.value();
 }

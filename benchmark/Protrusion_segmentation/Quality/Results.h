@@ -24,6 +24,7 @@ struct Model_result
 struct Model_results
 {
   int model = 0;
+  std::string class_name;
   std::size_t number_of_segments = 0;  // asked for
   Scores humans;
   std::size_t typical_human = 0;
@@ -48,7 +49,7 @@ public:
     return row == 0 ? model.humans : model.methods[row - 1].scores;
   }
 
-  // Those of the benchmark's classes of which there is a model.
+  // Of the models, in their order.
   std::vector<std::string> classes() const;
 
   // Mean over the models of a class.

@@ -38,6 +38,9 @@ struct Segmentation_method
   std::string name; // as the option --methods and the tables write it: no blanks, no commas
   std::function<Labels(const Mesh&, std::size_t number_of_segments, unsigned int seed)> segment;
   bool runs_by_default = true; // too slow for most of the benchmark's models otherwise
+  // Seconds that the last call on this thread did not take because it used a result of another method's call; they
+  // count as if it had taken them.
+  std::function<double()> seconds_saved = []() { return 0.; };
 };
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_SEGMENTATION_METHOD_H

@@ -71,7 +71,7 @@ Labels with_colors_of(const Mesh& mesh, const Labels& labels, const Labels& refe
 double excess(const Model_results& model, std::size_t method)
 {
   return *model.methods[method].scores[Score::rand_index_error]
-       - *model.humans[Score::rand_index_error];
+       - model.humans[Score::rand_index_error].value_or(0); // one human has no error
 }
 
 // Red where the method is much worse than the humans: 0.2 is about the distance from the humans'
@@ -112,7 +112,52 @@ void write_model(std::ostream& out, const Model& model, const Model_results& res
       << "</figcaption></figure>\n";
 }
 
+// As many as a page shows.
+constexpr std::size_t models_of_comparison = 10;
+
+void write_head(std::ostream& out, const std::string& title)
+{
+  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" << title
+      << "</title>\n<style>body{font:13px sans-serif}"
+         "figure{display:inline-block;margin:3px;padding:3px;border:1px solid #bbb}"
+         "figcaption{max-width:440px}td,th{text-align:center;padding:2px}td img{width:150px}</style></head>\n<body><h1>"
+      << title << "</h1>\n";
+}
+
+void write_comparison_row(std::ostream& out, const Model& model, const Model_results& results)
+{
+  const Labels& human = model.humans[results.typical_human];
+  out << "<tr><th>" << model.number << "<br>" << model.class_name << "</th><td>";
+  write_picture(out, model.mesh, with_colors_of(model.mesh, human, human));
+  out << "<br>" << results.number_of_segments << "</td>";
+  for(std::size_t i = 0; i < results.methods.size(); ++i)
+  {
+    out << "<td style=\"background:" << background(excess(results, i)) << "\">";
+    write_picture(out, model.mesh, with_colors_of(model.mesh, results.methods[i].labels, human));
+    out << "<br>" << *results.methods[i].scores[Score::rand_index_error] << "</td>";
+  }
+  out << "</tr>\n";
+}
+
 } // namespace
+
+void write_comparison_sheet(std::ostream& out, const Benchmark_folder& folder, const Results& results)
+{
+  write_head(out, "All methods");
+  out << "<p>Below a human the number of segments that is asked for, below methods their Rand index error; the redder, the "
+         "farther from the humans.</p>\n<table><tr><th></th><th>Human</th>"
+      << std::fixed << std::setprecision(3);
+  for(const std::string& name : results.methods())
+    out << "<th>" << name << "</th>";
+  out << "</tr>\n";
+  const std::size_t number = (std::min)(models_of_comparison, results.models().size());
+  for(std::size_t i = 0; i < number; ++i)
+  {
+    const Model_results& model = results.models()[i * results.models().size() / number];
+    write_comparison_row(out, folder.read_model(model.model), model);
+  }
+  out << "</table></body></html>\n";
+}
 
 void write_contact_sheet(std::ostream& out, const Benchmark_folder& folder, const Results& results,
                          std::size_t method)
@@ -124,11 +169,8 @@ void write_contact_sheet(std::ostream& out, const Benchmark_folder& folder, cons
     return excess(results.models()[a], method) > excess(results.models()[b], method);
   });
 
-  out << "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>"
-      << results.methods()[method] << "</title>\n<style>body{font:13px sans-serif}"
-         "figure{display:inline-block;margin:3px;padding:3px;border:1px solid #bbb}"
-         "figcaption{max-width:440px}</style></head>\n<body><h1>" << results.methods()[method]
-      << "</h1>\n<p>Left the method, right the human who agrees best with the others. The farther "
+  write_head(out, results.methods()[method]);
+  out << "<p>Left the method, right the human who agrees best with the others. The farther "
          "from the humans in the Rand index error (RI), the redder and the earlier.</p>\n"
       << std::fixed << std::setprecision(3);
   for(const std::size_t i : order)

@@ -16,4 +16,7 @@
 void write_contact_sheet(std::ostream& out, const Benchmark_folder& folder, const Results& results,
                          std::size_t method);
 
+// One with a row for each of ten models, taken at equal distances from the list, and a column for each method.
+void write_comparison_sheet(std::ostream& out, const Benchmark_folder& folder, const Results& results);
+
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_CONTACT_SHEET_H

@@ -2,46 +2,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "markdown_cells.h"
 #include "published.h"
 #include "reports.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
+#include <iterator>
 
 namespace {
 
-using Cells = std::vector<std::string>;
-using Value = std::optional<double>;
-
-std::string cell(const Value& value, int digits, bool signed_value = false)
-{
-  if(!value)
-    return "-";
-  std::ostringstream out;
-  out << (signed_value ? std::showpos : std::noshowpos) << std::fixed << std::setprecision(digits)
-      << *value;
-  return out.str();
-}
-
-std::string error_cell(const Value& value) { return cell(value, 3); }
 std::string relative_cell(const Value& value) { return cell(value, 2, true); }
-
-void write_row(std::ostream& out, const Cells& cells)
-{
-  for(const std::string& text : cells)
-    out << "| " << text << " ";
-  out << "|\n";
-}
-
-void write_headings(std::ostream& out, const Cells& headings)
-{
-  write_row(out, headings);
-  out << "|:--";
-  for(std::size_t i = 1; i < headings.size(); ++i)
-    out << "|--:";
-  out << "|\n";
-}
 
 Value relative(const Value& error, const Value& human)
 {
@@ -74,12 +44,28 @@ void write_averages(std::ostream& out, const Results& results)
   out << "\n";
 }
 
+// Whether any of the classes is in the paper's tables.
+bool has_published(const Results& results)
+{
+  for(const std::string& name : results.classes())
+    if(std::count(published_classes().begin(), published_classes().end(), name) > 0)
+      return true;
+  return false;
+}
+
+std::vector<Published_method> columns_of_paper(const Results& results)
+{
+  if(!has_published(results))
+    return {};
+  return {std::begin(published_methods), std::end(published_methods)};
+}
+
 Cells headings_by_class(const Results& results)
 {
   Cells headings = {"class"};
   for(std::size_t row = 0; row < results.number_of_rows(); ++row)
     headings.push_back(results.row_name(row));
-  for(const Published_method method : published_methods)
+  for(const Published_method method : columns_of_paper(results))
     headings.push_back("paper: " + published_name(method));
   return headings;
 }
@@ -92,7 +78,7 @@ void write_absolute_table(std::ostream& out, const Results& results, Score score
     Cells cells = {name};
     for(std::size_t row = 0; row < results.number_of_rows(); ++row)
       cells.push_back(error_cell(results.of_class(row, name)[score]));
-    for(const Published_method method : published_methods)
+    for(const Published_method method : columns_of_paper(results))
       cells.push_back(error_cell(published_absolute(score, name, method)));
     write_row(out, cells);
   }
@@ -107,7 +93,7 @@ void write_relative_table(std::ostream& out, const Results& results, Score score
     Cells cells = {name};
     for(std::size_t row = 0; row < results.number_of_rows(); ++row)
       cells.push_back(relative_cell(relative(results.of_class(row, name)[score], human)));
-    for(const Published_method method : published_methods)
+    for(const Published_method method : columns_of_paper(results))
       cells.push_back(relative_cell(published_relative(score, name, method)));
     write_row(out, cells);
   }
@@ -121,7 +107,7 @@ void write_mean_row(std::ostream& out, const Results& results, Score score,
   Cells cells = {"**" + title + "**"};
   for(std::size_t row = 0; row < results.number_of_rows(); ++row)
     cells.push_back(error_cell(results.of_classes(row, classes)[score]));
-  for(const Published_method method : published_methods)
+  for(const Published_method method : columns_of_paper(results))
   {
     double sum = 0;
     for(const std::string& name : classes)
@@ -144,7 +130,10 @@ void write_by_class(std::ostream& out, const Results& results, Score score,
   if(!common.empty())
     write_mean_row(out, results, score,
                    "mean of the paper's " + std::to_string(common.size()), common, true);
-  out << "\nRelative to the humans, (error - human) / human:\n\n";
+  out << "\n";
+  if(!results.of_classes(0, results.classes())[score])
+    return; // one human a model
+  out << "Relative to the humans, (error - human) / human:\n\n";
   write_relative_table(out, results, score);
   out << "\n";
 }
@@ -173,7 +162,10 @@ void write_single_model(std::ostream& out, const Results& results, int model)
 
 void write_markdown(std::ostream& out, const Results& results)
 {
+  write_overview(out, results);
+  write_cells_won(out, results);
   write_averages(out, results);
+  write_comparisons(out, results);
   write_by_class(out, results, Score::rand_index_error, "Rand index error (the paper's Table V)");
   write_by_class(out, results, Score::hamming_distance, "Hamming distance (the paper's Table IV)");
   write_by_class(out, results, Score::cut_discrepancy, "Cut discrepancy (the paper's Table III)");

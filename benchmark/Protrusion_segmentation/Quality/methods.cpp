@@ -5,12 +5,9 @@
 #include "methods.h"
 
 #include "ablation_methods.h"
-#include "named_methods.h"
 #include "peers.h"
 #include "protrusion_methods.h"
-
-#include <algorithm>
-#include <iterator>
+#include "sdf_methods.h"
 
 namespace {
 
@@ -29,15 +26,4 @@ std::vector<Segmentation_method> all_methods()
   append(all, sdf_methods());
   append(all, clustering_methods());
   return all;
-}
-
-std::vector<Segmentation_method> chosen_methods(const std::string& list)
-{
-  const std::vector<Segmentation_method> all = all_methods();
-  if(!list.empty())
-    return named_methods(all, list);
-  std::vector<Segmentation_method> result;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(result),
-               [](const Segmentation_method& m) { return m.runs_by_default; });
-  return result;
 }

@@ -5,29 +5,17 @@
 #include "peers.h"
 
 #include "Face_distance_graph.h"
+#include "core_extraction.h"
 #include "k_means.h"
+#ifdef PROTRUSION_SEGMENTATION_HAS_PCL
+#include "planar_cuts.h"
+#endif
+#include "randomized_cuts.h"
+#include "spectral_cuts.h"
 
-#include <CGAL/mesh_segmentation.h>
-
-#include <cmath>
 #include <random>
 
 namespace {
-
-Labels sdf_segmentation(const Mesh& mesh, std::size_t number_of_clusters, double smoothness)
-{
-  std::vector<double> diameters(mesh.number_of_faces(), 0.);
-  CGAL::sdf_values(mesh, CGAL::make_property_map(diameters));
-  // A face without area has none, and not a number would spread to all others.
-  for(double& diameter : diameters)
-    if(!std::isfinite(diameter))
-      diameter = 0;
-  Labels labels(mesh.number_of_faces(), 0);
-  CGAL::segmentation_from_sdf_values(mesh, CGAL::make_property_map(diameters),
-                                     CGAL::make_property_map(labels), number_of_clusters,
-                                     smoothness);
-  return labels;
-}
 
 Labels voronoi_segmentation(const Mesh& mesh, std::size_t number_of_segments, unsigned int seed)
 {
@@ -41,17 +29,19 @@ Labels voronoi_segmentation(const Mesh& mesh, std::size_t number_of_segments, un
 
 } // namespace
 
-std::vector<Segmentation_method> sdf_methods()
-{
-  return {{"SDF-5-0.26", [](const Mesh& mesh, std::size_t, unsigned int)
-                         { return sdf_segmentation(mesh, 5, 0.26); }},
-          {"SDF-3-0.1", [](const Mesh& mesh, std::size_t, unsigned int)
-                        { return sdf_segmentation(mesh, 3, 0.1); }}};
-}
-
 std::vector<Segmentation_method> clustering_methods()
 {
-  return {{"K-Means", [](const Mesh& mesh, std::size_t number_of_segments, unsigned int seed)
+  return {{"Randomized-cuts", [](const Mesh& mesh, std::size_t number_of_segments, unsigned int seed)
+                              { return randomized_cuts_segmentation(mesh, number_of_segments, seed); }},
+          {"Spectral-cuts", [](const Mesh& mesh, std::size_t number_of_segments, unsigned int)
+                            { return spectral_cuts_segmentation(mesh, number_of_segments); }},
+#ifdef PROTRUSION_SEGMENTATION_HAS_PCL
+          {"Planar-cuts", [](const Mesh& mesh, std::size_t number_of_segments, unsigned int seed)
+                          { return planar_cuts_segmentation(mesh, number_of_segments, seed); }},
+#endif
+          {"Core-extraction", [](const Mesh& mesh, std::size_t number_of_segments, unsigned int)
+                              { return core_extraction_segmentation(mesh, number_of_segments); }},
+          {"K-Means", [](const Mesh& mesh, std::size_t number_of_segments, unsigned int seed)
                       { return k_means_segmentation(mesh, number_of_segments, seed); }},
           {"Voronoi", voronoi_segmentation},
           {"One-segment", [](const Mesh& mesh, std::size_t, unsigned int)

@@ -11,12 +11,8 @@
 
 #include <vector>
 
-// CGAL's segmentation by shape diameters, at its defaults (5 clusters, smoothness 0.26) and with
-// 3 clusters and smoothness 0.1, one of its best two settings in the Rand index error, and better
-// than the other in the rest. It ignores the number of segments.
-std::vector<Segmentation_method> sdf_methods();
-
-// K-Means, see k_means.h; farthest-point Voronoi cells (the paper's step 2 with no borders looked
+// Each of its own header: randomized cuts, spectral cuts, core extraction, planar cuts if the benchmark was configured with
+// the library that has them, K-Means. And farthest-point Voronoi cells (the paper's step 2 with no borders looked
 // for); one segment for the whole mesh.
 std::vector<Segmentation_method> clustering_methods();
 

@@ -6,7 +6,7 @@
 // Segmentation Benchmark:
 //
 //   princeton_benchmark --folder FOLDER [--models 2,4,10-50] [--methods K-Means,Voronoi]
-//                       [--threads N] [--seed N] [--output FOLDER] [--sheets]
+//                       [--segmentations NAME=FOLDER] [--threads N] [--seed N] [--output FOLDER] [--sheets]
 //
 // prints the tables, and writes them with one CSV file by model and one by class to the output
 // folder, with --sheets also a page of pictures for each method.
@@ -14,15 +14,15 @@
 #include "Benchmark_folder.h"
 #include "Model_evaluator.h"
 #include "Results.h"
+#include "Segmentation_folder.h"
 #include "contact_sheet.h"
+#include "contestants.h"
 #include "methods.h"
 #include "reports.h"
 
 #include <CGAL/Protrusion_segmentation/internal/IO/write_complete_file.h>
 
 #include <CLI/CLI.hpp>
-
-#include <time.h>
 
 #include <atomic>
 #include <exception>
@@ -40,51 +40,50 @@ struct Options
   std::string folder;
   std::string models;
   std::string methods;
+  std::vector<std::string> segmentations; // NAME=FOLDER
+  std::string classes;
   std::string output;
+  std::string segmentations_output;
   unsigned int threads = 1;
   unsigned int seed = 0;
   bool sheets = false;
   bool list_methods = false;
 };
 
-// Seconds that the processor spent on this thread: what else runs on the machine hardly matters.
-double processor_seconds()
-{
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
-
-Model_result run_method(const Segmentation_method& method, const Model& model,
-                        const Model_evaluator& evaluator, unsigned int seed)
+Model_result run_contestant(const Contestant& contestant, const Model& model,
+                            const Model_evaluator& evaluator, const Options& options)
 {
   Model_result result;
-  const double begin = processor_seconds();
+  Timed_labels timed;
   try
   {
-    result.labels = method.segment(model.mesh, model.number_of_segments, seed);
+    timed = contestant.segment(model, options.seed);
   }
   catch(const std::exception& exception)
   {
     result.failure = std::string(" failed: ") + exception.what();
-    result.labels.assign(model.mesh.number_of_faces(), 0);
+    timed.labels.assign(model.mesh.number_of_faces(), 0);
   }
-  const double seconds = processor_seconds() - begin;
-  result.scores = evaluator.scores(result.labels);
-  result.scores[Score::seconds] = seconds;
+  if(result.failure.empty() && !options.segmentations_output.empty())
+    add_to_segmentation_folder(options.segmentations_output + "/" + contestant.name, model.number, model.mesh,
+                               timed.labels, timed.seconds);
+  result.scores = evaluator.scores(timed.labels);
+  result.scores[Score::seconds] = timed.seconds;
+  result.labels = std::move(timed.labels);
   return result;
 }
 
-Model_results run_model(const Model& model, const std::vector<Segmentation_method>& methods, const Options& options)
+Model_results run_model(const Model& model, const std::vector<Contestant>& contestants, const Options& options)
 {
   const Model_evaluator evaluator(model);
   Model_results results;
   results.model = model.number;
+  results.class_name = model.class_name;
   results.number_of_segments = model.number_of_segments;
   results.humans = evaluator.human_scores();
   results.typical_human = evaluator.most_typical_human();
-  for(const Segmentation_method& method : methods)
-    results.methods.push_back(run_method(method, model, evaluator, options.seed));
+  for(const Contestant& contestant : contestants)
+    results.methods.push_back(run_contestant(contestant, model, evaluator, options));
   return results;
 }
 
@@ -92,9 +91,9 @@ Model_results run_model(const Model& model, const std::vector<Segmentation_metho
 class Runner
 {
 public:
-  Runner(const Benchmark_folder& folder, const std::vector<Segmentation_method>& methods,
+  Runner(const Benchmark_folder& folder, const std::vector<Contestant>& contestants,
          const Options& options)
-    : m_folder(folder), m_methods(methods), m_options(options)
+    : m_folder(folder), m_contestants(contestants), m_options(options)
     , m_models(folder.models(options.models)), m_results(m_models.size())
   {
     if(m_models.empty())
@@ -155,12 +154,12 @@ private:
     {
       return std::string(" is left out: ") + error.what();
     }
-    m_results[i] = ::run_model(model, m_methods, m_options);
+    m_results[i] = ::run_model(model, m_contestants, m_options);
     return "";
   }
 
   const Benchmark_folder& m_folder;
-  const std::vector<Segmentation_method>& m_methods;
+  const std::vector<Contestant>& m_contestants;
   const Options& m_options;
   std::vector<int> m_models;
   std::vector<Model_results> m_results;
@@ -185,23 +184,30 @@ void write_outputs(const Options& options, const Benchmark_folder& folder, const
                [&](std::ostream& out) { write_models_csv(out, results); });
   write_output(options.output, "classes.csv",
                [&](std::ostream& out) { write_classes_csv(out, results); });
+  write_output(options.output, "differences.csv",
+               [&](std::ostream& out) { write_differences_csv(out, results); });
   write_output(options.output, "tables.md",
                [&](std::ostream& out) { write_markdown(out, results); });
   if(options.sheets)
+  {
+    write_output(options.output, "all_methods.html", [&](std::ostream& out)
+                 { write_comparison_sheet(out, folder, results); });
     for(std::size_t i = 0; i < results.methods().size(); ++i)
       write_output(options.output, results.methods()[i] + ".html", [&](std::ostream& out)
                    { write_contact_sheet(out, folder, results, i); });
+  }
 }
 
 void run(const Options& options)
 {
-  const std::vector<Segmentation_method> methods = chosen_methods(options.methods);
+  const std::vector<Contestant> contestants = chosen_contestants(options.methods, options.segmentations);
   std::vector<std::string> names;
-  for(const Segmentation_method& method : methods)
-    names.push_back(method.name);
+  for(const Contestant& contestant : contestants)
+    names.push_back(contestant.name);
 
-  const Benchmark_folder folder(options.folder);
-  const Results results(names, Runner(folder, methods, options).run());
+  const Benchmark_folder folder(options.folder,
+                                options.classes.empty() ? Model_classes() : Model_classes(options.classes));
+  const Results results(names, Runner(folder, contestants, options).run());
   write_markdown(std::cout, results);
   if(!options.output.empty())
     write_outputs(options, folder, results);
@@ -215,9 +221,16 @@ int main(int argc, char** argv)
   app.add_option("--folder", options.folder, "benchmark: off/, seg/ and nSeg-ByModel.txt");
   app.add_option("--models", options.models, "such as 2,4,10-50 (default: all that are there)");
   app.add_option("--methods", options.methods, "such as K-Means,Voronoi (default: all but the slowest)");
+  app.add_option("--segmentations", options.segmentations,
+                 "NAME=FOLDER: <model>.seg files that any program made, as a further method; repeatable")
+    ->allow_extra_args(false);
+  app.add_option("--classes", options.classes,
+                 "of the models, such as People=1-200,Animals=201-300 (default: Princeton's)");
   app.add_option("--threads", options.threads, "models at a time (default: 1)");
   app.add_option("--seed", options.seed, "of what is random (default: 0)");
-  app.add_option("--output", options.output, "folder for tables.md, models.csv, classes.csv");
+  app.add_option("--output", options.output, "folder for tables.md, models.csv, classes.csv, differences.csv");
+  app.add_option("--write-segmentations", options.segmentations_output,
+                 "folder for a folder of each method's segmentations and times, as --segmentations reads them");
   app.add_flag("--sheets", options.sheets, "write a page of pictures for each method as well");
   app.add_flag("--list-methods", options.list_methods, "print the names of the methods");
   CLI11_PARSE(app, argc, argv);

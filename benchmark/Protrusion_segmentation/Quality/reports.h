@@ -18,7 +18,17 @@ void write_models_csv(std::ostream& out, const Results& results);
 // A line for each method and class, and for their mean.
 void write_classes_csv(std::ostream& out, const Results& results);
 
-// Means of all scores; then, for each of the Rand index error, the Hamming distance and the cut
+// A line for each two methods and each of the Rand index error, the Hamming distance and the cut discrepancy: their
+// difference with its interval, and in how many models each is better.
+void write_differences_csv(std::ostream& out, const Results& results);
+
+// Markdown: the first rows, in one table; a line on the cells of the paper's tables that are won, if there are any; how
+// far the means and the differences to the first method are certain.
+void write_overview(std::ostream& out, const Results& results);
+void write_cells_won(std::ostream& out, const Results& results);
+void write_comparisons(std::ostream& out, const Results& results);
+
+// All of these, and means of all scores; then, for each of the Rand index error, the Hamming distance and the cut
 // discrepancy, a table by class, absolute and relative to the humans, beside what the paper
 // publishes (its tables III, IV and V); then single models (its tables VI and VII).
 void write_markdown(std::ostream& out, const Results& results);

@@ -13,6 +13,7 @@
 #include "named_methods.h"
 #include "peers.h"
 #include "protrusion_methods.h"
+#include "sdf_methods.h"
 
 #include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>

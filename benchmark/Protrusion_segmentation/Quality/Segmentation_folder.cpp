@@ -1,0 +1,113 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "Segmentation_folder.h"
+
+#include <CGAL/IO/SEG.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_segmentation(const fs::path& file)
+{
+  return file.extension() == ".seg";
+}
+
+// Whether the folder or one in it has a .seg file.
+bool has_segmentations(const std::string& path)
+{
+  const fs::recursive_directory_iterator files(path);
+  return std::any_of(begin(files), end(files),
+                     [](const fs::directory_entry& entry) { return is_segmentation(entry.path()); });
+}
+
+fs::path segmentation_file(const std::string& path, int model)
+{
+  const fs::path folder = fs::path(path) / std::to_string(model);
+  const fs::path file = folder.string() + ".seg";
+  if (fs::exists(file))
+    return file;
+  std::vector<fs::path> found;
+  if (fs::is_directory(folder))
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+      if (is_segmentation(entry.path()))
+        found.push_back(entry.path());
+  if (found.empty())
+    throw std::runtime_error(file.string() + ": there is no such file");
+  if (found.size() > 1)
+    throw std::runtime_error(folder.string() + ": there is more than one segmentation");
+  return found.front();
+}
+
+fs::path seconds_file(const std::string& path, int model)
+{
+  return fs::path(path) / (std::to_string(model) + ".seconds");
+}
+
+} // namespace
+
+Labels read_labels(const std::string& file_name, const Mesh& mesh)
+{
+  Labels labels(mesh.number_of_faces());
+  const std::string problem = CGAL::Protrusion_segmentation::internal::read_segments(
+    file_name, mesh, CGAL::make_property_map(labels));
+  if (!problem.empty())
+    throw std::runtime_error(file_name + ": " + problem);
+  return labels;
+}
+
+Segmentation_folder::Segmentation_folder(const std::string& name_and_path)
+{
+  const std::size_t sign = name_and_path.find('=');
+  m_name = name_and_path.substr(0, sign);
+  if (sign == std::string::npos || m_name.empty() || m_name.find_first_of(" ,|") != std::string::npos)
+    throw std::invalid_argument("'" + name_and_path +
+                                "' is not NAME=FOLDER with a name without blanks, commas and bars");
+  m_path = name_and_path.substr(sign + 1);
+  if (!fs::is_directory(m_path))
+    throw std::invalid_argument(m_path + ": is no folder");
+  if (!has_segmentations(m_path))
+    throw std::invalid_argument(m_path + ": has no .seg files");
+}
+
+Labels Segmentation_folder::labels(int model, const Mesh& mesh) const
+{
+  return read_labels(segmentation_file(m_path, model).string(), mesh);
+}
+
+std::optional<double> Segmentation_folder::seconds(int model) const
+{
+  const fs::path file = seconds_file(m_path, model);
+  if (!fs::exists(file))
+    return std::nullopt;
+  std::ifstream in(file);
+  double result = 0;
+  if (!(in >> result) || !(in >> std::ws).eof() || !std::isfinite(result) || result < 0)
+    throw std::runtime_error(file.string() + ": is not a number of seconds");
+  return result;
+}
+
+void add_to_segmentation_folder(const std::string& path,
+                                int model,
+                                const Mesh& mesh,
+                                const Labels& labels,
+                                const std::optional<double>& seconds)
+{
+  using CGAL::Protrusion_segmentation::internal::write_complete_file;
+  fs::create_directories(path);
+  const std::string file = (fs::path(path) / (std::to_string(model) + ".seg")).string();
+  if (!CGAL::IO::write_SEG(file, mesh, label_map(labels)))
+    throw std::runtime_error(file + ": cannot be written");
+  const std::string time_file = seconds_file(path, model).string();
+  if (seconds && !write_complete_file(time_file, [&](std::ostream& out) { out << *seconds << "\n"; }))
+    throw std::runtime_error(time_file + ": cannot be written");
+}
