@@ -114,9 +114,9 @@ void a_straight_bar(int length, int width, int height)
   CHECK_CLOSE(clues.thickness, thickness(opening * length / 2, half_area, opening), precision);
   CHECK_EQUAL(clues.inner_concavity, 0);
   CHECK_EQUAL(clues.several_loops, 0);
-  // nothing changes along the bar: rings of squares, as many as begin within the width of the strip
+  // nothing changes along the bar: the strip is measured from the centres of the first squares on
   const double strip = 0.4 * std::sqrt(half_area);
-  CHECK_CLOSE(clues.larger_widening, std::log((std::floor(strip) + 1) / strip), precision);
+  CHECK_CLOSE(clues.larger_widening, std::log((strip + 0.5) / strip), precision);
   CHECK_CLOSE(clues.smaller_widening, clues.larger_widening, precision);
   CHECK_CLOSE(clues.mean_cost, std::log(1 + 0.02), precision_of_costs);
   CHECK_CLOSE(clues.contrast, std::log(1 + 0.1), precision_of_costs);

@@ -12,7 +12,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Segment_pool.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Segment_search.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_coarse_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
@@ -41,17 +41,12 @@ struct Cut_graphs
   {
     const Stage_scope stage(execution.observer(), Stage::PREPARATION);
     fine = make_weighted_dual_graph(surface, policy, execution);
-    coarse = coarsen(fine, number_of_nodes, execution);
+    coarse = make_coarse_graph(fine, execution);
     measure_volumes(surface, coarse.node, coarse.graph, execution.is_parallel());
     // only the coarse graph is made of these: a third of the memory of the surface
     decltype(fine.centre)().swap(fine.centre);
     decltype(fine.concave_border_length)().swap(fine.concave_border_length);
   }
-
-private:
-  // The structure of a shape of up to some dozen parts shows in that many nodes; cuts get worse with more,
-  // since details come to the fore.
-  static constexpr Indexed_surface::Index number_of_nodes = 2000;
 };
 
 // Searches the cuts of a connected surface that are best together, for one more segment at a time. Not the best cut of

@@ -12,7 +12,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <tuple>
+#include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
@@ -125,6 +127,13 @@ private:
   // of the smaller side, closed by a cone over the cut
   double volume() const { return std::abs(m_flux - m_area_vector * m_centre) / 3; }
 
+  // How much of a node lies in a strip that reaches `depth` beyond its centre. A strip is few nodes wide: if they
+  // were in it as a whole or not at all, what it measures would be a matter of chance.
+  static float share_of_strip(double depth, double area)
+  {
+    return static_cast<float>((std::min)(1., (std::max)(0., depth / std::sqrt(area) + 0.5)));
+  }
+
   // The strip along the cut on one side: where the surface widens it is larger than its length and width say, the
   // sudden widening that the paper looks for in its histograms. And what a cut along its far edge would cost.
   Side measure_side(const Nodes& along_cut, bool inner)
@@ -132,12 +141,19 @@ private:
     constexpr double strip_width = 0.4; // relative to the square root of the smaller area
     constexpr double least_widening = 1e-6;
     const double width = strip_width * m_size;
-    const Nodes_by_distance strip =
-      m_partition.nodes_by_distance_on_side(along_cut, m_segment, inner, m_graph.lengths(), width);
-    const double widening = m_partition.area(strip.nodes) / (m_length * width);
-    const double far_cost = m_partition.cost_around(strip.nodes, [&](Index j)
-                                                    { return m_partition.segment(j) == m_segment &&
-                                                             m_partition.is_inner(j) == inner; });
+    const Nodes_by_distance near =
+      m_partition.nodes_by_distance_on_side(along_cut, m_segment, inner, m_graph.lengths(),
+                                            width + m_partition.largest_size() / 2);
+    std::vector<float> shares;
+    double area = 0;
+    for (std::size_t i = 0; i < near.nodes.size(); ++i)
+    {
+      const double node_area = m_graph.area[near.nodes[i]];
+      shares.push_back(share_of_strip(width - near.distances[i], node_area));
+      area += shares.back() * node_area;
+    }
+    const double widening = area / (m_length * width);
+    const double far_cost = m_partition.cost_around(near.nodes, shares, m_segment, inner);
     return {std::log((std::max)(least_widening, widening)), std::log((far_cost + 0.1 * m_cost) / m_cost)};
   }
 

@@ -12,6 +12,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -48,9 +49,14 @@ public:
       m_is_inner(graph.number_of_nodes(), false),
       m_stamps(graph.number_of_nodes(), 0),
       m_distances(graph.number_of_nodes(), 0)
-  {}
+  {
+    for (double area : graph.area)
+      m_largest_size = (std::max)(m_largest_size, std::sqrt(area));
+  }
 
   const Weighted_dual_graph& graph() const { return m_graph; }
+  // of a node: the square root of its area
+  double largest_size() const { return m_largest_size; }
   Index segment(Index node) const { return m_segments[node]; }
   const std::vector<Index>& segments() const { return m_segments; }
   void set_segment(Index node, Index segment) { m_segments[node] = segment; }
@@ -157,18 +163,25 @@ public:
       length, limit);
   }
 
-  // What the border of a set of nodes costs, towards nodes for which `is_inside` holds.
-  template <typename IsInside>
-  double cost_around(const Nodes& nodes, IsInside is_inside)
+  // What the border of a set costs within a side of a cut, if of each node the given share lies in the set, of all
+  // others nothing.
+  double cost_around(const Nodes& nodes, const std::vector<float>& shares, Index segment, bool inner)
   {
     ++m_stamp;
-    for (Index i : nodes)
-      m_stamps[i] = m_stamp;
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+    {
+      m_stamps[nodes[k]] = m_stamp;
+      m_distances[nodes[k]] = shares[k];
+    }
     double cost = 0;
-    for (Index i : nodes)
-      for (Index arc : m_graph.arcs(i))
-        if (m_stamps[m_graph.target[arc]] != m_stamp && is_inside(m_graph.target[arc]))
-          cost += m_graph.capacity[arc];
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+      for (Index arc : m_graph.arcs(nodes[k]))
+      {
+        const Index j = m_graph.target[arc];
+        const float share = m_stamps[j] == m_stamp ? m_distances[j] : 0;
+        if (m_segments[j] == segment && m_is_inner[j] == inner && share < shares[k])
+          cost += m_graph.capacity[arc] * (shares[k] - share);
+      }
     return cost;
   }
 
@@ -258,6 +271,7 @@ private:
   }
 
   const Weighted_dual_graph& m_graph;
+  double m_largest_size = 0;
   std::vector<Index> m_segments; // of every node
   std::vector<bool> m_is_inner;
   std::vector<std::uint32_t> m_stamps; // the last operation that reached a node

@@ -338,9 +338,8 @@ inline std::vector<float> lengths_between_centres(const Weighted_dual_graph& gra
   return lengths;
 }
 
-// Contracts a graph to about `number_of_nodes` nodes of similar area that do not straddle seams: the
-// structure of a shape does not depend on how finely it is meshed, so the search for cuts need not either. `tie` is what
-// holds neighbours together.
+// Contracts a graph to about `number_of_nodes` nodes of similar area that do not straddle seams, in linear time. `tie`
+// is what holds neighbours together.
 inline Coarse_graph coarsen(const Weighted_dual_graph& graph,
                             Weighted_dual_graph::Index number_of_nodes,
                             Execution& execution,

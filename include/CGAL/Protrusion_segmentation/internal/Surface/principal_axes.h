@@ -7,6 +7,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -17,8 +18,8 @@ namespace internal {
 
 using Matrix_3 = std::array<std::array<double, 3>, 3>;
 
-// The eigenvectors of a symmetric matrix as rows, in no particular order, by Jacobi's rotations. The default method
-// needs no library for linear algebra, and gets the same digits with every one.
+// The eigenvectors of a symmetric matrix as rows, in the order of descending eigenvalues, by Jacobi's rotations. The
+// default method needs no library for linear algebra, and gets the same digits with every one.
 inline Matrix_3 principal_axes(Matrix_3 m)
 {
   constexpr int number_of_sweeps = 8; // convergence is quadratic: five reach the last digit
@@ -45,7 +46,9 @@ inline Matrix_3 principal_axes(Matrix_3 m)
         rotate(axes[p][i], axes[q][i]);
       }
     }
-  return axes;
+  std::array<std::pair<double, int>, 3> order = {{{-m[0][0], 0}, {-m[1][1], 1}, {-m[2][2], 2}}};
+  std::sort(order.begin(), order.end());
+  return {axes[order[0].second], axes[order[1].second], axes[order[2].second]};
 }
 
 } // namespace internal

@@ -1,0 +1,183 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The clusters that become nodes of the coarse graph, and the frame that they are sampled in.
+
+#include "check.h"
+#include "indexed_surfaces.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/disk_clusters.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_coarse_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/principal_axes.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <random>
+#include <vector>
+
+using namespace test_meshes;
+using namespace CGAL::Protrusion_segmentation;
+using internal::Clusters;
+using internal::Matrix_3;
+using internal::Weighted_dual_graph;
+
+constexpr Index no_limit = 1000000;
+
+Weighted_dual_graph weighted_dual_graph(const Test_mesh& mesh)
+{
+  return internal::make_weighted_dual_graph(to_surface(mesh), internal::default_cut_policy(), quiet_execution());
+}
+
+Clusters clusters_of(const Weighted_dual_graph& graph, Index largest_number = no_limit)
+{
+  return internal::Disk_clusters(graph)(largest_number, quiet_execution());
+}
+
+void axes_are_eigenvectors()
+{
+  std::mt19937 random(7);
+  const auto number = [&random]() { return static_cast<double>(random()) / 4294967296. - 0.5; };
+  for (int i = 0; i < 1000; ++i)
+  {
+    Matrix_3 m = {};
+    for (int a = 0; a < 3; ++a)
+      for (int b = a; b < 3; ++b)
+        m[a][b] = m[b][a] = i % 5 == 0 && a != b ? 0 : number();
+    const Matrix_3 axes = internal::principal_axes(m);
+    std::vector<double> eigenvalues;
+    for (const auto& axis : axes)
+    {
+      Point image = {0, 0, 0};
+      for (int a = 0; a < 3; ++a)
+        for (int b = 0; b < 3; ++b)
+          image[a] += m[a][b] * axis[b];
+      const Point direction = {axis[0], axis[1], axis[2]};
+      CHECK_CLOSE(length(direction), 1, 1e-12);
+      eigenvalues.push_back(dot(image, direction));
+      CHECK_CLOSE(length(image - eigenvalues.back() * direction), 0, 1e-12);
+    }
+    CHECK(eigenvalues[0] >= eigenvalues[1] - 1e-12 && eigenvalues[1] >= eigenvalues[2] - 1e-12);
+  }
+}
+
+// Of clusters, how many pieces their nodes form.
+std::size_t number_of_pieces(const Weighted_dual_graph& graph, const Clusters& clusters)
+{
+  std::vector<bool> is_reached(graph.number_of_nodes(), false);
+  std::size_t pieces = 0;
+  for (Index i = 0; i < graph.number_of_nodes(); ++i)
+  {
+    if (is_reached[i])
+      continue;
+    ++pieces;
+    std::vector<Index> queue(1, i);
+    is_reached[i] = true;
+    for (std::size_t k = 0; k < queue.size(); ++k)
+      for (const Index arc : graph.arcs(queue[k]))
+        if (const Index j = graph.target[arc]; !is_reached[j] && clusters.of_node[j] == clusters.of_node[i])
+        {
+          is_reached[j] = true;
+          queue.push_back(j);
+        }
+  }
+  return pieces;
+}
+
+void clusters_are_connected(const Test_mesh& mesh)
+{
+  const Weighted_dual_graph graph = weighted_dual_graph(mesh);
+  for (const Index largest_number : {no_limit, Index(50), Index(1)})
+  {
+    const Clusters clusters = clusters_of(graph, largest_number);
+    CHECK(clusters.number >= 1 && clusters.number <= largest_number);
+    CHECK_EQUAL(clusters.of_node.size(), graph.number_of_nodes());
+    std::vector<bool> has_node(clusters.number, false);
+    for (const Index cluster : clusters.of_node)
+      has_node.at(cluster) = true;
+    CHECK(std::find(has_node.begin(), has_node.end(), false) == has_node.end());
+    CHECK_EQUAL(number_of_pieces(graph, clusters), clusters.number);
+  }
+}
+
+// A shape of area 1 has about two thousand disks of the radius, however fine its triangles are.
+void their_number_does_not_depend_on_the_triangles()
+{
+  const double coarse = clusters_of(weighted_dual_graph(icosphere(5))).number;
+  const double fine = clusters_of(weighted_dual_graph(icosphere(6))).number;
+  CHECK(coarse > 1500 && coarse < 2500);
+  CHECK(fine > 0.9 * coarse && fine < 1.2 * coarse);
+}
+
+void a_mirrored_shape_has_mirrored_clusters()
+{
+  const Test_mesh mesh = bumpy_sphere(5, 3);
+  Test_mesh mirror = mesh;
+  for (Point& p : mirror.points)
+    p[0] = -p[0];
+  for (Face& face : mirror.faces)
+    std::reverse(face.begin() + 1, face.end());
+  CHECK(clusters_of(weighted_dual_graph(mesh)).of_node == clusters_of(weighted_dual_graph(mirror)).of_node);
+}
+
+// The share of the arcs within clusters that lie between clusters of the other graph, or the other way round.
+double difference(const Weighted_dual_graph& graph, const Clusters& a, const Clusters& b)
+{
+  std::size_t different = 0;
+  for (Index i = 0; i < graph.number_of_nodes(); ++i)
+    for (const Index arc : graph.arcs(i))
+    {
+      const Index j = graph.target[arc];
+      different += (a.of_node[i] == a.of_node[j]) != (b.of_node[i] == b.of_node[j]);
+    }
+  return static_cast<double>(different) / static_cast<double>(graph.target.size());
+}
+
+// What moves a little changes little: clusters by merging would be all others.
+void a_moved_vertex_changes_clusters_nearby()
+{
+  Test_mesh mesh = bumpy_sphere(5, 4);
+  const Weighted_dual_graph graph = weighted_dual_graph(mesh);
+  const Clusters clusters = clusters_of(graph);
+  const double edge = length(mesh.points[mesh.faces[0][0]] - mesh.points[mesh.faces[0][1]]);
+  const Clusters all_moved = clusters_of(weighted_dual_graph(jittered(mesh, 0.01 * edge, 1)));
+  mesh.points[0] = 1.01 * mesh.points[0];
+  const Clusters one_moved = clusters_of(weighted_dual_graph(mesh));
+  CHECK(difference(graph, clusters, one_moved) < 0.01);
+  CHECK(difference(graph, clusters, all_moved) < 0.1);
+}
+
+// Above that number of faces, the nodes of the coarse graph are made of groups of faces.
+void a_large_surface_has_as_many_nodes()
+{
+  const Weighted_dual_graph graph = weighted_dual_graph(icosphere(7)); // 327,680 faces
+  const internal::Coarse_graph coarse = internal::make_coarse_graph(graph, quiet_execution());
+  CHECK(coarse.graph.number_of_nodes() > 1500 && coarse.graph.number_of_nodes() < 2500);
+  CHECK_EQUAL(number_of_pieces(graph, {coarse.node, coarse.graph.number_of_nodes()}), coarse.graph.number_of_nodes());
+}
+
+void a_small_surface_stays_as_it_is()
+{
+  const internal::Coarse_graph coarse =
+    internal::make_coarse_graph(weighted_dual_graph(icosphere(2)), quiet_execution());
+  CHECK_EQUAL(coarse.graph.number_of_nodes(), icosphere(2).faces.size());
+  for (Index f = 0; f < coarse.node.size(); ++f)
+    CHECK_EQUAL(coarse.node[f], f);
+}
+
+int main()
+{
+  axes_are_eigenvectors();
+  clusters_are_connected(star(4));
+  clusters_are_connected(sheet(60, 50));
+  clusters_are_connected(thin_strip(300));
+  clusters_are_connected(single_triangle());
+  their_number_does_not_depend_on_the_triangles();
+  a_mirrored_shape_has_mirrored_clusters();
+  a_moved_vertex_changes_clusters_nearby();
+  a_large_surface_has_as_many_nodes();
+  a_small_surface_stays_as_it_is();
+  return check::result();
+}
