@@ -71,7 +71,7 @@ as one that is a single triangle wide, keeps its faces, and the borders of the o
     \cgalParamDescription{how often shares are averaged. With more, borders get straighter and move farther, up to about
                           as many edges as the root of the number. 0 leaves all borders where they are.}
     \cgalParamType{`unsigned int`}
-    \cgalParamDefault{`2`}
+    \cgalParamDefault{`3`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
@@ -100,7 +100,7 @@ std::size_t smooth_segment_borders(const FaceGraph& tmesh,
   namespace internal = Protrusion_segmentation::internal;
   using Index = Protrusion_segmentation::Indexed_surface::Index;
   using Id = typename boost::property_traits<SegmentMap>::value_type;
-  constexpr unsigned int default_number_of_iterations = 2; // more hardly shorten borders, but move them
+  constexpr unsigned int default_number_of_iterations = 3; // more hardly shorten borders, but move them
 
   const std::size_t rounds = internal::checked_count(
     "number_of_iterations", parameters::choose_parameter(

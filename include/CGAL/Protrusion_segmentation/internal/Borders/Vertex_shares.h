@@ -167,8 +167,10 @@ private:
     m_band.push_back(v);
   }
 
+  // A vertex keeps some of its own shares: without, those of every other vertex of a grid would never mix.
   Shares average_around(Index v) const
   {
+    constexpr double kept_share = 1. / 3;
     Shares result;
     const auto add_all = [&](Index neighbor, double weight)
     {
@@ -181,6 +183,10 @@ private:
       add_all(m_corners[c].after, m_corners[c].weight_after);
     }
     scale(result);
+    for (auto& entry : result)
+      entry.second *= 1 - kept_share;
+    for (const auto& [segment, share] : m_shares[v])
+      add(result, segment, kept_share * share);
     return result;
   }
 
