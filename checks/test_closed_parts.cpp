@@ -7,6 +7,7 @@
 #include "check.h"
 #include "test_meshes.h" // Boost demands that it comes before Boost Graph
 #include "writing/closed_parts.h"
+#include "writing/faired_parts.h"
 
 #include <CGAL/protrusion_segmentation.h>
 
@@ -169,6 +170,34 @@ void test_open_mesh()
   CHECK_EQUAL(number_of_faces, mesh.number_of_faces());
 }
 
+void check_faired_parts(const Mesh& mesh, const Labels& labels, std::size_t number, const std::string& name)
+{
+  const std::vector<Polygon_soup> parts = tool::faired_parts(mesh, labels, number);
+  CHECK_EQUAL(parts.size(), number);
+  for (std::size_t s = 0; s < parts.size(); ++s)
+    check::report(number_of_open_edges(parts[s]) == 0, __FILE__, __LINE__,
+                  name + ": faired part " + std::to_string(s) + " is not closed");
+}
+
+// Halves of a ball get round caps, as the ball itself is: each is larger than with a flat one.
+void test_faired_parts()
+{
+  const auto ball = test_meshes::to_graph<Mesh>(test_meshes::icosphere(3));
+  const Labels halves = labels_of_halves(ball, 2, 0);
+  check_faired_parts(ball, halves, 2, "ball");
+  for (const Polygon_soup& part : tool::faired_parts(ball, halves, 2))
+    CHECK(volume(part) > 0.6 * volume(whole(ball)));
+  const auto star = test_meshes::to_graph<Mesh>(test_meshes::star(5));
+  Labels labels(star.number_of_faces());
+  const std::size_t number = CGAL::segmentation_via_protrusion_tips(
+    star, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, star)));
+  check_faired_parts(star, labels, number, "star");
+  std::mt19937 random(1);
+  for (std::size_t& label : labels) // that meet in single vertices, and lie in many pieces
+    label = random() % 3;
+  check_faired_parts(star, labels, 3, "random");
+}
+
 } // namespace
 
 int main()
@@ -186,5 +215,6 @@ int main()
   }
   test_box_in_halves();
   test_open_mesh();
+  test_faired_parts();
   return check::result();
 }

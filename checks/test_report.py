@@ -6,7 +6,7 @@
 
     test_report.py SEGMENT_BY_PROTRUSIONS MAKE_EXAMPLE_MESH WORK_FOLDER [--faces N] [--method NAME]
 
-Clicks, turns, moves the slider, and leaves pictures in WORK_FOLDER. Exit code 77, skipped, where the
+Clicks, turns, moves the slider, merges, renames, picks tips, saves, and leaves pictures in WORK_FOLDER. Exit code 77, skipped, where the
 tool has no --report or Chromium, its driver or Selenium are not installed.
 """
 
@@ -19,6 +19,7 @@ import sys
 import time
 
 SKIPPED = 77
+MOST_BYTES_OF_FACE = 30  # of a large mesh
 LONGEST_PAUSE = 0.5  # seconds for a click or a step of the slider
 
 try:
@@ -43,6 +44,9 @@ def start_browser():
 class Page:
     def __init__(self, browser, file):
         self.browser = browser
+        self.downloads = file.resolve().parent / "saved"
+        browser.execute_cdp_cmd("Browser.setDownloadBehavior",
+                                {"behavior": "allow", "downloadPath": str(self.downloads)})
         browser.get(file.resolve().as_uri())
 
     def run(self, script):
@@ -55,6 +59,26 @@ class Page:
         actions = ActionChains(self.browser)
         actions.w3c_actions.pointer_action.move_to_location(x, y).click()
         actions.perform()
+
+    def button_of(self, segment):
+        shown = self.run("return report.model.shownSegments()")
+        names = [self.run(f"return report.editor.nameOf({s})") for s in shown]
+        buttons = self.browser.find_elements(By.CSS_SELECTOR, "#tree button")
+        return next(b for b in buttons if b.text.split(" (")[0] == names[shown.index(segment)])
+
+    def click_button(self, part):
+        self.browser.find_element(By.ID, part).click()
+
+    def save(self, part, name):
+        """The file that a button saves."""
+        file = self.downloads / name
+        file.unlink(missing_ok=True)
+        self.click_button(part)
+        for _ in range(100):
+            if file.exists():
+                return file
+            time.sleep(0.1)
+        raise AssertionError(f"{name} was not saved")
 
     def set_level(self, level):
         self.run(f"const s = document.getElementById('level'); s.value = {level};"
@@ -111,10 +135,80 @@ def check_slider(page, record):
     most, least = record["segments"], record["segments"] - len(record["protrusions"])
     for level in range(most, least - 1, -1):
         page.set_level(level)
-        shown = page.run("return new Set(report.model.ancestors.map(a => a)).size")
+        shown = page.run("return new Set(report.model.ancestors).size")
         expect(shown == level, f"{shown} segments at level {level}")
         expect(len(page.browser.find_elements(By.CSS_SELECTOR, "#tree button")) == level, "wrong tree")
     page.set_level(most)
+
+
+def check_merging(page, record):
+    """A selected protrusion is given to its parent, and comes back."""
+    least = min(record["protrusions"], key=lambda protrusion: protrusion["value"])
+    segment, parent = least["segment"], least["parent"]
+    before = page.run("return report.model.segText()")
+    page.button_of(segment).click()
+    page.click_button("merge")
+    expect(page.run("return report.model.number") == record["segments"] - 1, "no segment was merged")
+    expect(page.run(f"return report.model.segmentOfFace({least['tip']})") ==
+           page.run(f"return report.model.ancestors[{parent}]"), "the faces are not those of the parent")
+    expect(f"Segment {parent}" in page.text("details"), "the parent is not selected")
+    expect(page.run("return report.model.segText()") != before, "the labels are the same")
+    page.click_button("undo")
+    expect(page.run("return report.model.segText()") == before, "undoing does not bring the labels back")
+    for _ in range(page.run("return report.editor.history.length")):
+        page.click_button("undo")
+    expect(not page.browser.find_element(By.ID, "undo").is_enabled(), "there is more to undo than was done")
+
+
+def check_renaming(page):
+    page.button_of(1).click()
+    field = page.browser.find_element(By.ID, "name")
+    field.send_keys("left <arm>\n")
+    expect("left <arm>" in page.text("tree"), "the tree does not show the name")
+    expect("Segment left <arm>" in page.text("details"), "the name is not that of the segment")
+
+
+def check_colors(page, record):
+    """Body and protrusions get the colour of their least value; the one to check first is red."""
+    before = page.run("return Array.from(report.view.geometry.attributes.color.array)")
+    page.run("const c = document.getElementById('colors'); c.value = 'confidence'; c.dispatchEvent(new Event('change'));")
+    expect(page.run("return Array.from(report.view.geometry.attributes.color.array)") != before, "the colours stay")
+    confidence = {m["segment"]: m["confidence"] for m in record["measures"]}
+    for segment, value in confidence.items():
+        expect(abs(page.run(f"return report.model.confidence({segment})") - value) < 1e-12, "another confidence")
+    colors = [page.run(f"return colorOf(report.model, {s})") for s in sorted(confidence, key=confidence.get)]
+    expect(colors[0][0] - colors[0][2] >= colors[-1][0] - colors[-1][2], "the least sure is not the reddest")
+    expect("check first" in page.text("tools"), "the scale is not shown")
+
+
+def check_tips(page, record, work, tool, mesh):
+    """Two tips are picked by clicks; the tool makes of the saved file what it makes of these faces."""
+    expect(all(page.run(f"return report.model.segmentOfFace(report.model.tip({p['segment']}))") == p["segment"]
+               for p in record["protrusions"]), "the tip of a segment is not on it")
+    page.browser.find_element(By.ID, "picking").click()
+    picked = []
+    for protrusion in record["protrusions"]:
+        x, y = map(round, page.run(f"return report.view.positionOf({protrusion['tip']})"))
+        if len(picked) < 2 and page.run(f"return report.view.segmentAt({x}, {y})") == protrusion["segment"]:
+            page.click_at(x, y)
+            picked.append(protrusion["segment"])
+    expect(len(picked) == 2, "there are no two tips to click at")
+    tips = page.run("return report.editor.tips")
+    expect([page.run(f"return report.model.segments[{tip}]") for tip in tips] == picked, "other tips were picked")
+    page.browser.save_screenshot(str(work / "picked.png"))
+    page.click_button("from_tips")
+    expect(page.run("return report.model.shownSegments()") == [0] + sorted(picked), "other segments than those of the tips")
+    saved = page.save("save_tips", "octopus.tips.json")
+    content = json.loads(saved.read_text(encoding="utf-8"))
+    expect(content["tips"] == tips, "other tips were saved")
+    labels = work / "from_tips.seg"
+    subprocess.run([tool, mesh, "--tips", saved, "-o", labels, "--quiet"], check=True)
+    of_tool = labels.read_text(encoding="utf-8").split()
+    expect(len(set(of_tool)) == 3 and len({of_tool[tip] for tip in tips}) == 2, "the tool makes other segments of the tips")
+    of_page = page.save("save_seg", "octopus.seg").read_text(encoding="utf-8").split()
+    expect(len(of_page) == record["faces"] and set(of_page) == {"0", "1", "2"}, "the saved segments are not 0, 1 and 2")
+    for tip, segment in zip(tips, picked):
+        expect(of_page[tip] == str(1 + sorted(picked).index(segment)), "a tip is not in its segment")
 
 
 def check_turning(page):
@@ -133,7 +227,7 @@ def check_speed(page, record):
         expect(times[name] < LONGEST_PAUSE, f"{name} takes {times[name]} s")
 
 
-def check(page, record, work):
+def check(page, record, work, tool, mesh):
     expect(page.text("title") == pathlib.Path(record["input"]).name, "the title is not the name of the input")
     expect("three.js" in page.run("return document.getElementById('licence').textContent"), "no licence")
     expect(page.pixels() > 10000, "nothing is drawn")
@@ -141,6 +235,11 @@ def check(page, record, work):
     check_click(page, record)
     page.browser.save_screenshot(str(work / "clicked.png"))
     check_slider(page, record)
+    check_merging(page, record)
+    check_renaming(page)
+    check_colors(page, record)
+    page.browser.save_screenshot(str(work / "confidence.png"))
+    check_tips(page, record, work, tool, mesh)
     check_turning(page)
     check_speed(page, record)
     page.browser.save_screenshot(str(work / "end.png"))
@@ -167,12 +266,16 @@ def main():
     if "three.js was not found" in tool.stderr:
         sys.exit(SKIPPED)
     expect(tool.returncode == 0, tool.stderr)
+    if int(arguments.faces) >= 100000:
+        bytes_of_face = html.stat().st_size / json.loads(found.read_text(encoding="utf-8"))["faces"]
+        print(f"{bytes_of_face:.1f} bytes a face")
+        expect(bytes_of_face <= MOST_BYTES_OF_FACE, "the page is too large")
     begin = time.monotonic()
     browser = start_browser()
     try:
         page = Page(browser, html)
         print(f"loaded after {time.monotonic() - begin:.1f} s, the start of the browser included")
-        check(page, json.loads(found.read_text(encoding="utf-8")), arguments.work)
+        check(page, json.loads(found.read_text(encoding="utf-8")), arguments.work, arguments.segment_by_protrusions, mesh)
     finally:
         browser.quit()
 

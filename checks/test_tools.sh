@@ -98,7 +98,7 @@ test_usage()
                    "--distance diffusion --time soon" "--distance diffusion --landmarks 5%" \
                    "--eigenpairs 5" "--time 1" "--distance heat --time 1" "--distance exact --eigenpairs 5" \
                    "-o out.xyz" "-o out" "-o %d.seg" \
-                   "-o %d/%d.ply" "-o out.seg --close" "--close" "-o out.seg -o out.seg" "-o out.seg --json out.seg" "--json out.html --report out.html" "-o $mesh" "-o"; do
+                   "-o %d/%d.ply" "-o out.seg --close" "--close" "-o %d.off --close=round" "--borders out.off" "--borders out" "-k 3 --tips out.json" "-o out.seg -o out.seg" "-o out.seg --json out.seg" "--json out.html --report out.html" "-o $mesh" "-o"; do
     # shellcheck disable=SC2086
     expect 2 "$segment" "$mesh" $arguments
   done
@@ -223,6 +223,10 @@ test_closed_parts()
       fail "$command: volumes add up to $sum instead of $whole"
     expect 0 "$segment" outputs/teddy.off -k 6 --method $method -o open_$method/%d.off
     volume_of open_$method/0.off >/dev/null && fail "$command: a part is closed without --close"
+    expect 0 "$segment" outputs/teddy.off -k 6 --method $method --close=faired -o faired_$method/%d.off
+    volume_of faired_$method/[0-5].off >/dev/null || fail "$command: a part is not closed"
+    cmp -s closed_$method/1.off faired_$method/1.off && fail "$command: the caps are flat"
+    rm -r faired_$method
     rm -r closed_$method open_$method
   done
 }
@@ -568,6 +572,64 @@ test_collection()
   expect 2 "$segment" meshes/a.off meshes/broken.off
 }
 
+# New meshes with smooth borders: closed, with the old face of each new one, and labels of the old faces in SEG.
+test_smooth_borders()
+{
+  mkdir smooth
+  expect 0 "$segment" outputs/teddy.off -k 5 -o smooth/ragged.seg -o smooth/ragged.ply --borders smooth/ragged.vtp
+  expect 0 "$segment" outputs/teddy.off -k 5 --smooth-borders -o smooth/teddy.seg -o smooth/teddy.off \
+    -o smooth/teddy.ply -o smooth/teddy.vtp -o smooth/teddy.glb -o smooth/part%d.off --close --borders smooth/borders.vtp \
+    --json records/smooth.json --quiet
+  local whole sum
+  whole=$(volume_of outputs/teddy.off)
+  sum=$(volume_of smooth/teddy.off) || fail "$command: the mesh is not closed"
+  awk -v a="$whole" -v b="$sum" 'BEGIN { exit !(a > 0 && (a - b) ^ 2 < (1e-6 * a) ^ 2) }' || fail "$command: the volume changed"
+  sum=$(volume_of smooth/part[0-4].off) || fail "$command: a part is not closed"
+  awk -v a="$whole" -v b="$sum" 'BEGIN { exit !(a > 0 && (a - b) ^ 2 < (1e-6 * a) ^ 2) }' || fail "$command: the volumes do not add up"
+  [ "$(wc -l <smooth/teddy.seg)" = "$(wc -l <smooth/ragged.seg)" ] || fail "$command: SEG is not of the old faces"
+  [ "$(sort -u smooth/teddy.seg | wc -l)" = 5 ] || fail "$command: not five segments"
+  [ "$(paste smooth/teddy.seg smooth/ragged.seg | awk '$1 != $2' | wc -l)" -lt $(($(wc -l <smooth/teddy.seg) / 20)) ] ||
+    fail "$command: one label in twenty changed"
+  expect_text smooth/teddy.ply "property uint old_face"
+  grep -qaF "old_face" smooth/ragged.ply && fail "old faces without new ones"
+  expect_text smooth/teddy.vtp 'Name="old_face"'
+  local name
+  for name in segment_1 segment_2 length value probability; do
+    expect_text smooth/borders.vtp "Name=\"$name\""
+  done
+  [ "$(length_of_lines smooth/borders.vtp)" -lt "$(length_of_lines smooth/ragged.vtp)" ] || fail "borders did not get shorter"
+}
+
+# In thousandths, of all lines.
+length_of_lines() # FILE
+{
+  awk '/Name="length"/ { inside = 1; next } /<\/DataArray>/ { inside = 0 } inside { sum += $1 } END { printf "%d", 1000 * sum }' "$1"
+}
+
+# The protrusions of some faces only, as the report saves them.
+test_tips()
+{
+  mkdir tips
+  expect 0 "$segment" outputs/teddy.off -k 5 --json tips/all.json -o tips/all.seg
+  local tip
+  tip=$(json_value tips/all.json tip)
+  echo "{\"tips\": [$tip], \"names\": []}" >tips/one.json
+  expect 0 "$segment" outputs/teddy.off --tips tips/one.json -o tips/one.seg --json records/tips.json
+  [ "$(sort -u tips/one.seg | wc -l)" = 2 ] || fail "$command: one tip does not make two segments"
+  [ "$(sed -n "$((tip + 1))p" tips/one.seg)" = 1 ] || fail "$command: the tip is not in the protrusion"
+  echo '{"tips": [99999999]}' >tips/bad.json
+  expect 1 "$segment" outputs/teddy.off --tips tips/bad.json -o tips/bad.seg
+  expect_one_line "has no face 99999999"
+  local content
+  for content in '' '[1]' '{"tips": 1}' '{"tips": []}' '{"tips": [-1]}' '{"tips": [1.5]}' '{"tips": ["a"]}'; do
+    echo "$content" >tips/bad.json
+    expect 1 "$segment" outputs/teddy.off --tips tips/bad.json -o tips/bad.seg
+    expect_one_line "tips/bad.json"
+  done
+  expect 1 "$segment" outputs/teddy.off --tips tips/none.json -o tips/bad.seg
+  [ -e tips/bad.seg ] && fail "$command: wrote something"
+}
+
 # All records so far are as the schema says, and their sums are right.
 test_json_schema()
 {
@@ -592,6 +654,8 @@ def problems_with_borders(record):
         points = border["points"] + border["points"][:1] * border["is_closed"]
         if not math.isclose(border["length"] or 0, sum(map(math.dist, points, points[1:])), rel_tol=1e-9):
             yield f"the border of {border['segments']} is not as long as its line"
+    if record["smooth_borders"]:
+        return # the lengths of protrusions are those along edges
     if record["method"] == "paper":
         return # where a protrusion touches one that was cut off before, that border is not counted again
     for protrusion in record["protrusions"]:
@@ -600,6 +664,16 @@ def problems_with_borders(record):
         # which the default method adds up in single precision
         if not math.isclose(sum(lengths), protrusion["border_length"], rel_tol=1e-6):
             yield f"the borders of segment {protrusion['segment']} have another length than all of it"
+
+def problems_with_confidence(record):
+    for measure in record["measures"]:
+        values = [protrusion["value"] for protrusion in record["protrusions"]
+                  if measure["segment"] in (protrusion["segment"], protrusion["parent"])]
+        if measure["confidence"] != min(values, default=None):
+            yield f"the confidence of segment {measure['segment']} is not the least value of its borders"
+    for protrusion in record["protrusions"]:
+        if (protrusion["probability"] is None) != (record["method"] == "paper"):
+            yield "only minimum-cut estimates probabilities"
 
 validator = jsonschema.Draft7Validator(json.load(open(sys.argv[1])))
 problems = 0
@@ -614,6 +688,7 @@ for name in sys.argv[2:]:
         if sum(measure["faces"] for measure in record["measures"]) != record["faces"]:
             found.append("the segments have another number of faces than all")
         found += problems_with_borders(record)
+        found += problems_with_confidence(record)
     problems += len(found)
     for problem in found:
         print(f"{name}: {problem}", file=sys.stderr)
@@ -641,6 +716,8 @@ test_pipes
 test_3MF
 test_VTP
 test_collection
+test_smooth_borders
+test_tips
 test_json_schema
 echo "$failures failures"
 [ "$failures" = 0 ]

@@ -9,6 +9,7 @@
 
 #include "collection/segment_collection.h"
 #include "command_line/Progress_bar.h"
+#include "command_line/read_tips.h"
 #include "command_line/segment_options.h"
 #include "command_line/tool_main.h"
 #include "segmentation/segment_file.h"
@@ -46,19 +47,23 @@ void print_summary(const tool::Command_line& command_line, const tool::Findings&
     std::cout << "wrote " << name
               << (tool::is_pattern(name) ? " (" + std::to_string(files) + (files == 1 ? " file)" : " files)") : "") << "\n";
   }
-  for (const std::string& name : {command_line.json, command_line.report})
+  for (const std::string& name : {command_line.json, command_line.report, command_line.borders})
     if (!name.empty())
       std::cout << "wrote " << name << "\n";
 }
 
 void segment_one(const tool::Command_line& command_line)
 {
-  const tool::Output_names names = {command_line.outputs, command_line.report, command_line.json,
-                                    command_line.are_parts_closed};
+  tool::Output_names names = {command_line.outputs, command_line.report, command_line.json, command_line.borders};
+  if (!command_line.caps.empty())
+    names.caps = command_line.caps == "flat" ? tool::Caps::FLAT : tool::Caps::FAIRED;
+  tool::Segmentation_options options = command_line.options;
+  if (!command_line.tips.empty())
+    options.tips = tool::read_tips(command_line.tips);
   tool::check_can_be_written(names);
   tool::Progress_bar bar(!command_line.is_quiet && tool::is_standard_error_a_terminal());
   tool::Findings findings = tool::segment_file(
-    command_line.inputs.front(), command_line.options,
+    command_line.inputs.front(), options,
     [&](double share, const std::string& stage, std::size_t protrusions)
     { bar.show(share, std::to_string(protrusions) + " protrusions  " + stage); },
     [&](const std::string& warning) { tell(command_line, warning); });

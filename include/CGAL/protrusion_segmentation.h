@@ -11,6 +11,7 @@
 #include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
+#include <CGAL/Protrusion_segmentation/label_confidence.h>
 #include <CGAL/Protrusion_segmentation/internal/segment_mesh.h>
 
 #include <CGAL/Named_function_parameters.h>

@@ -349,6 +349,18 @@ def gallery(workshop):
     join([workshop.folder / f"gallery_{shape}.png" for shape in SHAPES], "readme.png", 180)
 
 
+def smooth_borders(workshop):
+    """Borders along edges, and smooth ones: a teddy bear from near."""
+    names = []
+    for options in ((), ("--smooth-borders",)):
+        mesh, _, _ = workshop.segment("teddy", "--method", "minimum-cut", *options)
+        names.append(workshop.folder / f"borders_{len(names)}.png")
+        show(mesh, mesh.colors, names[-1], "teddy", area=500000)
+        subprocess.run(["convert", names[-1], "-gravity", "center", "-crop", "60%x40%+0-120", "+repage", names[-1]],
+                       check=True)
+    join(names, "smooth_borders.png", 260)
+
+
 def report(workshop):
     """The page of --report with a segment that is selected."""
     page = workshop.folder / "octopus.html"
@@ -375,8 +387,8 @@ def landmarks(workshop):
 
 
 def main():
-    figures = {f.__name__: f for f in (nested, surface_distance, tip_spheres, slots, gallery, report,
-                                     landmarks)}
+    figures = {f.__name__: f for f in (nested, surface_distance, tip_spheres, slots, gallery,
+                                     smooth_borders, report, landmarks)}
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("programs", type=pathlib.Path, help="folder of the built tools")
     parser.add_argument("--only", nargs="+", choices=figures, default=list(figures))

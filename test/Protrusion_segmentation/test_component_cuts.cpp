@@ -207,7 +207,7 @@ private:
       for (const internal::Cut& cut : cuts_of(s))
       {
         const auto [inner, outer] = m_pool.sides(s, cut.inner);
-        result.push_back(set.with({s, inner, outer, cut.value}));
+        result.push_back(set.with({s, inner, outer, cut.value, cut.probability}));
       }
     return result;
   }

@@ -5,6 +5,7 @@
 #include "command_line/segment_options.h"
 
 #include "command_line/number.h"
+#include "reading/lower_case_extension.h"
 #include "reading/read_soup.h"
 #include "report/report.h"
 #include "segmentation/segment.h"
@@ -84,7 +85,7 @@ void check_collection(const CLI::App& app, const Command_line& command_line)
     return refuse({"--format", "--jobs", "--again"}, " has no meaning without --output-folder");
   if (command_line.output_folder.empty())
     throw std::invalid_argument("several meshes or a folder of meshes need --output-folder");
-  refuse({"--output", "--json", "--report"}, " has no meaning with --output-folder");
+  refuse({"--output", "--json", "--report", "--borders", "--tips"}, " has no meaning with --output-folder");
   for (const std::string& format : command_line.formats)
     check_output_name("mesh." + format);
   for (const std::string& input : command_line.inputs)
@@ -102,9 +103,11 @@ void check_names(const Command_line& command_line)
   std::vector<std::string> all = command_line.outputs;
   for (const std::string& name : all)
     check_output_name(name);
-  if (command_line.are_parts_closed && std::none_of(all.begin(), all.end(), is_pattern))
+  if (!command_line.caps.empty() && std::none_of(all.begin(), all.end(), is_pattern))
     throw std::invalid_argument("--close has no meaning without a %d in the name of an output");
-  for (const std::string& name : {command_line.json, command_line.report})
+  if (!command_line.borders.empty() && lower_case_extension(command_line.borders) != ".vtp")
+    throw std::invalid_argument("--borders: '" + command_line.borders + "' has not the extension .vtp");
+  for (const std::string& name : {command_line.json, command_line.report, command_line.borders})
     if (!name.empty())
       all.push_back(name);
   for (const std::string& name : all)
@@ -169,6 +172,9 @@ void add_segmentation_options(CLI::App& app, Segmentation_options& options)
     ->check(counts("number of threads"))
     ->type_name("N")
     ->capture_default_str();
+  app.add_flag("--smooth-borders", options.are_borders_smooth,
+               "move borders, which run along edges, to smooth lines, and cut faces along them: meshes then have more\n"
+               "faces, each with the number of the old one; .seg has for each old face the segment of its largest piece");
 }
 
 void add_output_options(CLI::App& app, Command_line& command_line)
@@ -178,9 +184,17 @@ void add_output_options(CLI::App& app, Command_line& command_line)
   for (const std::string& format : output_formats())
     outputs += "\n" + format;
   app.add_option("-o,--output", command_line.outputs, outputs)->allow_extra_args(false)->type_name("FILE");
-  app.add_flag("--close", command_line.are_parts_closed,
-               "close the meshes of segments where they were cut off: all are closed if the input is, and their\n"
-               "volumes add up to that of the input");
+  app
+    .add_flag("--close{flat}", command_line.caps,
+              "close the meshes of segments where they were cut off: all are closed if the input is.\n"
+              "--close or --close=flat: with caps that two meshes share; their volumes add up to that of the input\n"
+              "--close=faired: with round caps, of each mesh its own")
+    ->check(CLI::IsMember({"flat", "faired"}).description(""));
+  app
+    .add_option("--borders", command_line.borders,
+                "write the borders between segments as lines of VTK (.vtp), with both segments, length, value and\n"
+                "probability of each")
+    ->type_name("FILE");
   app.add_option("--json", command_line.json, "write what was found as JSON, - is the standard output")
     ->type_name("FILE");
   app
@@ -225,6 +239,11 @@ void add_options(CLI::App& app, Command_line& command_line)
     ->required()
     ->type_name("INPUT...");
   add_segmentation_options(app, command_line.options);
+  app
+    .add_option("--tips", command_line.tips,
+                "cut off the protrusions of these tips only: faces as the report saves them, {\"tips\": [12, 345]}")
+    ->excludes("--segments")
+    ->type_name("FILE");
   add_output_options(app, command_line);
   add_collection_options(app, command_line);
   app.callback(

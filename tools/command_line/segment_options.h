@@ -28,7 +28,9 @@ struct Command_line
   std::vector<std::string> outputs;
   std::string json;   // "-" is the standard output
   std::string report; // empty: none
-  bool are_parts_closed = false;
+  std::string borders; // empty: none
+  std::string tips;    // empty: none
+  std::string caps;    // empty: none; else "flat" or "faired"
   bool is_quiet = false;
 
   // of a collection of meshes

@@ -13,6 +13,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -26,6 +28,31 @@ namespace
 using Json = nlohmann::ordered_json;
 
 std::uint32_t index(std::size_t i) { return static_cast<std::uint32_t>(i); }
+
+// Whole numbers as bytes, as few for each as the largest one needs.
+Json pack(const std::vector<std::uint32_t>& numbers, std::size_t number_of_bytes)
+{
+  if (number_of_bytes == 1)
+    return base64(std::vector<std::uint8_t>(numbers.begin(), numbers.end()));
+  if (number_of_bytes == 2)
+    return base64(std::vector<std::uint16_t>(numbers.begin(), numbers.end()));
+  return base64(numbers);
+}
+
+std::size_t bytes_for(std::size_t number_of_values)
+{
+  return number_of_values <= 0x100 ? 1 : number_of_values <= 0x10000 ? 2 : 4;
+}
+
+// Coordinates from -1 to 1 as whole numbers of 16 bits: finer than what a screen shows.
+std::vector<std::uint16_t> to_16_bits(const std::vector<float>& coordinates)
+{
+  std::vector<std::uint16_t> result;
+  result.reserve(coordinates.size());
+  for (const float x : coordinates)
+    result.push_back(static_cast<std::uint16_t>(std::lround((std::clamp(x, -1.f, 1.f) + 1) * 32767.5f)));
+  return result;
+}
 
 // Two points and two segments for each edge between segments.
 std::vector<std::uint32_t> borders(const Findings& findings)
@@ -58,10 +85,16 @@ Json describe_mesh(const Findings& findings)
       triangles.insert(triangles.end(), {index(a), index(b), index(c)});
       face_of_triangle.push_back(index(face));
     });
-  return {{"positions", base64(positions_in_unit_ball(soup.points, bounding_ball(soup.points)))},
-          {"triangles", base64(triangles)},
-          {"faces", base64(face_of_triangle)},
-          {"segments", base64(segments)},
+  const bool are_faces_triangles =
+    std::all_of(soup.polygons.begin(), soup.polygons.end(), [](const Polygon& p) { return p.size() == 3; });
+  const std::size_t index_bytes = bytes_for(soup.points.size());
+  const std::size_t segment_bytes = bytes_for(findings.segmentation.number_of_segments);
+  return {{"positions", base64(to_16_bits(positions_in_unit_ball(soup.points, bounding_ball(soup.points))))},
+          {"index_bytes", index_bytes},
+          {"triangles", pack(triangles, index_bytes)},
+          {"faces", are_faces_triangles ? Json(nullptr) : Json(base64(face_of_triangle))},
+          {"segment_bytes", segment_bytes},
+          {"segments", pack(segments, segment_bytes)},
           {"borders", base64(borders(findings))}};
 }
 
@@ -98,6 +131,7 @@ bool can_write_report() { return true; }
 void write_report(std::ostream& out, const Findings& findings)
 {
   Json record = describe(findings);
+  record.erase("borders"); // they are those of the mesh below
   record["colors"] = colors(findings.segmentation.number_of_segments);
   record["mesh"] = describe_mesh(findings);
   write(out, report_page_begin);

@@ -9,6 +9,7 @@
 
 #include "repair/Input_mesh.h"
 #include "segmentation/Recorder.h"
+#include "segmentation/smooth_borders.h"
 
 #include <cstddef>
 #include <optional>
@@ -31,6 +32,8 @@ struct Segmentation_options
   std::size_t eigenpairs = default_number_of_eigenpairs();
   double time = default_diffusion_time();
   unsigned int seed = 0;
+  std::optional<std::vector<std::size_t>> tips; // faces of the file: only their protrusions are cut off
+  bool are_borders_smooth = false;
   std::size_t threads = 1; // no matter for the result
 };
 
@@ -50,10 +53,18 @@ struct Findings
   Input_mesh mesh;
   double seconds_for_file = 0; // to read it and to make a surface of it
   Segmentation segmentation;
+  std::optional<Smoothed_mesh> smoothed; // of the mesh, if that was asked for
   std::string note; // empty, or why there are not as many segments as were asked for
 
   // Unset until the segments and the report are written.
   std::optional<double> seconds_for_writing;
+
+  // with smooth borders, if there are
+  const Mesh& mesh_of_borders() const { return smoothed ? smoothed->mesh : mesh.mesh; }
+  const std::vector<std::size_t>& segments_at_borders() const
+  {
+    return smoothed ? smoothed->segment_ids : segmentation.segment_ids;
+  }
 
   double seconds() const { return seconds_for_file + segmentation.seconds; }
 };

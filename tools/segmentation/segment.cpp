@@ -61,6 +61,13 @@ std::size_t segment_by(const Method& method, const Mesh& mesh, std::vector<std::
 {
   const auto ids = boost::make_iterator_property_map(segment_ids.begin(), get(boost::face_index, mesh));
   const auto np = CGAL::parameters::random_seed(options.seed).visitor(std::ref(record));
+  if (options.tips)
+  {
+    std::vector<Face> tips;
+    for (const std::size_t tip : *options.tips)
+      tips.emplace_back(static_cast<Face::size_type>(tip));
+    return CGAL::segmentation_from_protrusion_tips<Concurrency_tag>(mesh, tips, ids, method, np);
+  }
   return options.number_of_segments
              ? CGAL::segmentation_via_protrusion_tips<Concurrency_tag>(mesh, ids, *options.number_of_segments, method, np)
              : CGAL::segmentation_via_protrusion_tips<Concurrency_tag>(mesh, ids, method, np);

@@ -34,6 +34,7 @@ bool can_use_threads();
 // Throws std::invalid_argument if an option has a value that makes no sense.
 void check_options(const Segmentation_options& options);
 
+// Tips among the options are faces of the mesh here.
 Segmentation
 segment(const Mesh& mesh, const Segmentation_options& options, const Recorder::Progress& progress);
 

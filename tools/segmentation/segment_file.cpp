@@ -8,8 +8,11 @@
 #include "reading/read_mesh.h"
 #include "report/report.h"
 #include "segmentation/segment.h"
+#include "segmentation/smooth_borders.h"
 #include "writing/Output_files.h"
+#include "writing/borders.h"
 #include "writing/closed_parts.h"
+#include "writing/faired_parts.h"
 #include "writing/json.h"
 #include "writing/outputs.h"
 
@@ -19,6 +22,7 @@
 #include <cstddef>
 #include <iomanip>
 #include <numeric>
+#include <optional>
 #include <ostream>
 #include <sstream>
 #include <utility>
@@ -48,7 +52,7 @@ std::string note_on_number(const Segmentation_options& options, const Segmentati
   else if (found > wanted)
     note << "found " << found << " segments instead of " << wanted << ": each of the mesh's " << found
          << " connected components is at least one";
-  else if (!options.number_of_segments && segmentation.record.protrusions().empty())
+  else if (!options.number_of_segments && !options.tips && segmentation.record.protrusions().empty())
     note << "found no evident protrusion; -k N asks for a number of segments";
   return note.str();
 }
@@ -65,20 +69,83 @@ void warn_of_time(const Findings& findings, const Warn& warn)
          " faces may take very long; " + std::to_string(default_number_of_eigenpairs()) + " are the default");
 }
 
-std::vector<Segmented_soup> make_closed_parts(const Findings& findings)
+std::vector<Polygon_soup> find_closed_parts(const Findings& findings, Caps caps)
 {
   const Segmentation& segmentation = findings.segmentation;
+  if (caps == Caps::FAIRED)
+    return faired_parts(findings.mesh_of_borders(), findings.segments_at_borders(), segmentation.number_of_segments);
   std::vector<std::size_t> parents(segmentation.number_of_segments);
   std::iota(parents.begin(), parents.end(), std::size_t(0));
   for (const Protrusion& protrusion : segmentation.record.protrusions())
     parents[protrusion.segment] = protrusion.parent;
+  return closed_parts(findings.mesh_of_borders(), findings.segments_at_borders(), parents);
+}
+
+std::vector<Segmented_soup> make_closed_parts(const Findings& findings, Caps caps)
+{
   std::vector<Segmented_soup> parts;
-  for (Polygon_soup& part : closed_parts(findings.mesh.mesh, segmentation.segment_ids, parents))
+  for (Polygon_soup& part : find_closed_parts(findings, caps))
   {
     const std::size_t number_of_faces = part.polygons.size();
-    parts.push_back({std::move(part), std::vector<std::size_t>(number_of_faces, parts.size())});
+    parts.push_back({std::move(part), std::vector<std::size_t>(number_of_faces, parts.size()), {}});
   }
   return parts;
+}
+
+// The mesh with smooth borders, in faces that know which of the file they are a piece of.
+Segmented_soup soup_of(const Smoothed_mesh& smoothed, const Input_mesh& input)
+{
+  Segmented_soup result;
+  for (const auto v : vertices(smoothed.mesh))
+    result.soup.points.push_back(smoothed.mesh.point(v));
+  for (const Face face : faces(smoothed.mesh))
+  {
+    result.soup.polygons.emplace_back();
+    for (const auto v : vertices_around_face(smoothed.mesh.halfedge(face), smoothed.mesh))
+      result.soup.polygons.back().push_back(std::size_t(v));
+    result.old_faces.push_back(input.face_in_file[smoothed.old_faces[face]]);
+  }
+  result.segments = smoothed.segment_ids;
+  return result;
+}
+
+// Faces of the file as faces of the mesh.
+std::optional<std::vector<std::size_t>> tips_on_mesh(const Findings& findings)
+{
+  if (!findings.options.tips)
+    return std::nullopt;
+  std::vector<std::size_t> tips;
+  for (const std::size_t tip : *findings.options.tips)
+  {
+    if (tip >= findings.mesh.label_giver.size())
+      throw Error(findings.input, "has no face " + std::to_string(tip) + ", which --tips names: it has " +
+                                    std::to_string(findings.mesh.label_giver.size()) + " faces");
+    tips.push_back(findings.mesh.label_giver[tip]);
+  }
+  return tips;
+}
+
+std::string note_on_tips(const Findings& findings)
+{
+  if (!findings.options.tips)
+    return "";
+  const std::size_t found = findings.segmentation.record.protrusions().size(), given = findings.options.tips->size();
+  return found < given ? "found protrusions for " + std::to_string(found) + " of " + std::to_string(given) + " tips" : "";
+}
+
+void smooth(Findings& findings)
+{
+  Segmentation& segmentation = findings.segmentation;
+  findings.smoothed = smooth_borders(findings.mesh.mesh, segmentation.segment_ids);
+  segmentation.segment_ids =
+    segments_of_old_faces(*findings.smoothed, segmentation.segment_ids.size(), segmentation.number_of_segments);
+}
+
+std::string note_on_borders(const Findings& findings)
+{
+  const std::size_t number = findings.smoothed ? findings.smoothed->number_of_fixed_segments : 0;
+  return number == 0 ? "" : std::to_string(number) + (number == 1 ? " segment is" : " segments are") +
+                              " too thin for smooth borders";
 }
 
 std::string join_notes(const std::string& first, const std::string& second)
@@ -105,8 +172,14 @@ Findings segment_file(const std::string& input,
     throw Error(input, "has " + std::to_string(faces) + " faces, too few for " + std::to_string(wanted) +
                          " segments");
   warn_of_time(findings, warn);
-  findings.segmentation = segment(findings.mesh.mesh, options, progress);
-  findings.note = join_notes(describe(findings.mesh.repairs), note_on_number(options, findings.segmentation));
+  Segmentation_options options_on_mesh = options;
+  options_on_mesh.tips = tips_on_mesh(findings);
+  findings.segmentation = segment(findings.mesh.mesh, options_on_mesh, progress);
+  if (options.are_borders_smooth)
+    smooth(findings);
+  for (const std::string& note : {describe(findings.mesh.repairs), note_on_number(options, findings.segmentation),
+                                  note_on_tips(findings), note_on_borders(findings)})
+    findings.note = join_notes(findings.note, note);
   return findings;
 }
 
@@ -115,7 +188,7 @@ void check_can_be_written(const Output_names& names)
   for (const std::string& name : names.segments)
     if (!is_pattern(name))
       Output_files::check(name);
-  for (const std::string& name : {names.json, names.report})
+  for (const std::string& name : {names.json, names.report, names.borders})
     if (!name.empty())
       Output_files::check(name);
 }
@@ -124,15 +197,20 @@ void write_findings(Findings& findings, const Output_names& names)
 {
   const Clock::time_point start = Clock::now();
   const Segmented_soup segmented = {findings.mesh.soup,
-                                    spread(findings.segmentation.segment_ids, findings.mesh)};
+                                    spread(findings.segmentation.segment_ids, findings.mesh), {}};
+  const Segmented_soup cut = findings.smoothed ? soup_of(*findings.smoothed, findings.mesh) : Segmented_soup();
   Output_files files;
   for (const std::string& name : names.segments)
-    if (names.are_parts_closed && is_pattern(name))
-      add_parts(name, make_closed_parts(findings), files);
+    if (names.caps != Caps::NONE && is_pattern(name))
+      add_parts(name, make_closed_parts(findings, names.caps), files);
+    else if (findings.smoothed && holds_a_mesh(name))
+      add_output(name, cut, findings.segmentation.number_of_segments, files);
     else
       add_output(name, segmented, findings.segmentation.number_of_segments, files);
   if (!names.report.empty())
     files.add(names.report, [&](std::ostream& out) { write_report(out, findings); });
+  if (!names.borders.empty())
+    files.add(names.borders, [&](std::ostream& out) { write_borders(out, find_borders(findings)); });
   findings.seconds_for_writing = seconds_since(start); // the record, which tells of it, is not counted
   if (!names.json.empty())
     files.add(names.json, [&](std::ostream& out) { write_json(out, describe(findings)); });

@@ -23,12 +23,21 @@ using Warn = std::function<void(const std::string&)>;
 Findings segment_file(const std::string& input, const Segmentation_options& options,
                       const Recorder::Progress& progress, const Warn& warn);
 
+// What closes the meshes of segments where they were cut off.
+enum class Caps
+{
+  NONE,
+  FLAT,  // the same for both sides
+  FAIRED // a round one for each side
+};
+
 struct Output_names
 {
   std::vector<std::string> segments;
   std::string report; // empty: none
   std::string json;   // empty: none
-  bool are_parts_closed = false; // of names with a number for each segment
+  std::string borders; // empty: none
+  Caps caps = Caps::NONE; // of names with a number for each segment
 };
 
 // Throws an `Error` if one of them cannot be written. Good to know before a long computation.

@@ -13,11 +13,12 @@
 namespace tool
 {
 
-// What is written: the faces of the file that was read, all of them, with their segments.
+// What is written: the faces of the file that was read, all of them, or pieces of these, with their segments.
 struct Segmented_soup
 {
   Polygon_soup soup;
   std::vector<std::size_t> segments; // of the faces
+  std::vector<std::size_t> old_faces; // of the file, that the faces are pieces of; empty: the faces are those of the file
 };
 
 } // namespace tool

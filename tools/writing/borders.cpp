@@ -4,104 +4,109 @@
 
 #include "writing/borders.h"
 
-#include <algorithm>
+#include "writing/vtp.h"
+
+#include <CGAL/Protrusion_segmentation/Border_values.h>
+#include <CGAL/Protrusion_segmentation/segment_borders.h>
+
+#include <boost/property_map/property_map.hpp>
+
 #include <cmath>
-#include <optional>
-#include <set>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <string>
 
 namespace tool
 {
 namespace
 {
 
-using Halfedge = Mesh::Halfedge_index;
-
-class Border_finder
+// A value for each line; one that is not known is no number.
+template <typename Value>
+void write_values(std::ostream& out, const std::string& name, const std::vector<Border>& borders, const Value& value)
 {
-public:
-  Border_finder(const Mesh& mesh, const std::vector<std::size_t>& segment_of_face)
-    : m_mesh(mesh), m_segment_of_face(segment_of_face)
-  { }
-
-  std::vector<Border> find()
-  {
-    std::vector<Border> borders;
-    for (const Halfedge h : halfedges(m_mesh))
-      if (is_between_segments(h) && left(h) < right(h) && m_seen.count(h) == 0)
-        borders.push_back(border_along(first_of_line(h)));
-    return borders;
-  }
-
-private:
-  bool is_between_segments(Halfedge h) const
-  {
-    return !m_mesh.is_border(h) && !m_mesh.is_border(m_mesh.opposite(h)) && left(h) != right(h);
-  }
-  std::size_t left(Halfedge h) const { return m_segment_of_face[m_mesh.face(h)]; }
-  std::size_t right(Halfedge h) const { return left(m_mesh.opposite(h)); }
-
-  // Around a vertex in the segment on the left, from `h` on, to where it ends; `step` is the next or the previous
-  // halfedge in a face. None if the line does not go on, for there is a third segment or the border of the mesh.
-  template <typename Step>
-  std::optional<Halfedge> neighbor_in_line(Halfedge h, const Step& step) const
-  {
-    Halfedge g = step(h);
-    while (!m_mesh.is_border(m_mesh.opposite(g)) && left(m_mesh.opposite(g)) == left(h))
-      g = step(m_mesh.opposite(g));
-    if (m_mesh.is_border(m_mesh.opposite(g)) || right(g) != right(h))
-      return std::nullopt;
-    return g;
-  }
-  std::optional<Halfedge> next_in_line(Halfedge h) const
-  {
-    return neighbor_in_line(h, [this](Halfedge g) { return m_mesh.next(g); });
-  }
-
-  // `h` itself in a closed line
-  Halfedge first_of_line(Halfedge h) const
-  {
-    Halfedge first = h;
-    while (const auto before = neighbor_in_line(first, [this](Halfedge g) { return m_mesh.prev(g); }))
+  write_data_array(out, "type=\"Float64\" Name=\"" + name + "\"", [&]() {
+    for (const Border& border : borders)
     {
-      first = *before;
-      if (first == h)
-        break;
+      const double x = value(border);
+      if (std::isfinite(x))
+        out << x << "\n";
+      else
+        out << "nan\n";
     }
-    return first;
-  }
+  });
+}
 
-  Border border_along(Halfedge first)
-  {
-    Border border;
-    border.segments = {left(first), right(first)};
-    border.points.push_back(m_mesh.point(m_mesh.source(first)));
-    for (std::optional<Halfedge> h = first; h && !border.is_closed;)
-    {
-      m_seen.insert(*h);
-      const Point& from = m_mesh.point(m_mesh.source(*h));
-      const Point& to = m_mesh.point(m_mesh.target(*h));
-      border.length += std::hypot(to.x() - from.x(), to.y() - from.y(), to.z() - from.z());
-      h = next_in_line(*h);
-      border.is_closed = h == first;
-      if (!border.is_closed)
-        border.points.push_back(to);
-    }
-    return border;
-  }
-
-  const Mesh& m_mesh;
-  const std::vector<std::size_t>& m_segment_of_face;
-  std::set<Halfedge> m_seen;
-};
+void write_cell_data_of_lines(std::ostream& out, const std::vector<Border>& borders)
+{
+  out << "<CellData Scalars=\"value\">\n";
+  for (const std::size_t i : {0, 1})
+    write_data_array(out, "type=\"UInt32\" Name=\"segment_" + std::to_string(i + 1) + "\"", [&]() {
+      for (const Border& border : borders)
+        out << border.segments[i] << "\n";
+    });
+  write_values(out, "length", borders, [](const Border& border) { return border.length; });
+  write_values(out, "value", borders, [](const Border& border) { return border.value; });
+  write_values(out, "probability", borders, [](const Border& border)
+               { return border.probability.value_or(std::numeric_limits<double>::quiet_NaN()); });
+  out << "</CellData>\n";
+}
 
 } // namespace
 
-std::vector<Border> find_borders(const Mesh& mesh, const std::vector<std::size_t>& segment_of_face)
+std::vector<Border> find_borders(const Findings& findings)
 {
-  std::vector<Border> borders = Border_finder(mesh, segment_of_face).find();
-  std::stable_sort(borders.begin(), borders.end(),
-                   [](const Border& a, const Border& b) { return a.segments < b.segments; });
+  const Mesh& mesh = findings.mesh_of_borders();
+  std::vector<CGAL::Protrusion_segmentation::Segment_border<Point>> lines;
+  CGAL::segment_borders(
+    mesh,
+    boost::make_iterator_property_map(findings.segments_at_borders().begin(), get(boost::face_index, mesh)),
+    std::back_inserter(lines));
+  const CGAL::Protrusion_segmentation::Border_values values(findings.segmentation.record.protrusions());
+  std::vector<Border> borders;
+  for (auto& line : lines)
+  {
+    const auto [s, t] = line.segments;
+    borders.push_back({std::move(line), values.value(s, t), values.probability(s, t)});
+  }
   return borders;
+}
+
+void write_borders(std::ostream& out, const std::vector<Border>& borders)
+{
+  std::size_t number_of_points = 0;
+  for (const Border& border : borders)
+    number_of_points += border.points.size();
+  out.precision(17); // a double is read as it was written
+  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
+      << "<Piece NumberOfPoints=\"" << number_of_points << "\" NumberOfLines=\"" << borders.size() << "\">\n";
+  write_cell_data_of_lines(out, borders);
+  out << "<Points>\n";
+  write_data_array(out, "type=\"Float64\" NumberOfComponents=\"3\"", [&]() {
+    for (const Border& border : borders)
+      for (const Point& point : border.points)
+        out << point << "\n";
+  });
+  out << "</Points>\n<Lines>\n";
+  write_data_array(out, "type=\"Int64\" Name=\"connectivity\"", [&]() {
+    std::size_t first = 0;
+    for (const Border& border : borders)
+    {
+      for (std::size_t i = 0; i < border.points.size(); ++i)
+        out << first + i << " ";
+      if (border.is_closed)
+        out << first;
+      out << "\n";
+      first += border.points.size();
+    }
+  });
+  write_data_array(out, "type=\"Int64\" Name=\"offsets\"", [&]() {
+    std::size_t end = 0;
+    for (const Border& border : borders)
+      out << (end += border.points.size() + (border.is_closed ? 1 : 0)) << "\n";
+  });
+  out << "</Lines>\n</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
 } // namespace tool

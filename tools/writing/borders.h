@@ -6,25 +6,29 @@
 #define PROTRUSION_SEGMENTATION_TOOLS_WRITING_BORDERS_H
 
 #include "reading/Mesh.h"
+#include "segmentation/Findings.h"
 
-#include <array>
-#include <cstddef>
+#include <CGAL/Protrusion_segmentation/Segment_border.h>
+
+#include <optional>
+#include <ostream>
 #include <vector>
 
 namespace tool
 {
 
-// A line along edges between two segments, as far as both stay the same.
-struct Border
+// A line between two segments, and how sure it is.
+struct Border : CGAL::Protrusion_segmentation::Segment_border<Point>
 {
-  std::array<std::size_t, 2> segments; // the one on the left comes first, and is the smaller
-  std::vector<Point> points;           // of a closed line the first is not repeated
-  bool is_closed = false;
-  double length = 0;
+  double value = 0;                  // infinity between components
+  std::optional<double> probability; // none for methods that do not estimate it
 };
 
-// All borders between segments; those of the mesh are none.
-std::vector<Border> find_borders(const Mesh& mesh, const std::vector<std::size_t>& segment_of_face);
+// Those of the mesh with smooth borders, if there is one.
+std::vector<Border> find_borders(const Findings& findings);
+
+// Lines of VTK as XML text, with both segments, length, value and probability of each.
+void write_borders(std::ostream& out, const std::vector<Border>& borders);
 
 } // namespace tool
 

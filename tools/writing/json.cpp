@@ -8,6 +8,8 @@
 #include "writing/borders.h"
 #include "writing/peak_memory.h"
 
+#include <CGAL/Protrusion_segmentation/Border_values.h>
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -24,6 +26,7 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
+using CGAL::Protrusion_segmentation::Border_values;
 
 // Added one by one: the compiler takes many times as long for nested lists in braces.
 class Object
@@ -90,6 +93,7 @@ Json describe(const Protrusion& protrusion, const Input_mesh& mesh)
     .add_if(protrusion.border_slot != Protrusion::no_slot(), "border_slot", protrusion.border_slot)
     .add("border_distance", protrusion.border_distance)
     .add("value", protrusion.value)
+    .add_if(protrusion.probability.has_value(), "probability", protrusion.probability.value_or(0))
     .add("area", protrusion.area)
     .add("border_length", protrusion.border_length)
     .add_if(!distances.empty(), "distance_histogram", distances)
@@ -136,9 +140,15 @@ Json describe_measures(const Findings& findings)
   for (std::size_t i = 0; i < ids.size(); ++i)
     areas[ids[i]] += std::sqrt(
       area_vector(input.soup.points, input.soup.polygons[input.face_in_file[i]]).squared_length());
+  const Border_values borders(findings.segmentation.record.protrusions());
   Json array = Json::array();
   for (std::size_t s = 0; s < faces.size(); ++s)
-    array.push_back(Object().add("segment", s).add("faces", faces[s]).add("area", areas[s]).take());
+    array.push_back(Object()
+                      .add("segment", s)
+                      .add("faces", faces[s])
+                      .add("area", areas[s])
+                      .add("confidence", borders.least_value(s)) // infinity becomes null
+                      .take());
   return array;
 }
 
@@ -151,6 +161,8 @@ Json describe(const Border& border)
   object.add("segments", border.segments)
     .add("is_closed", border.is_closed)
     .add("length", border.length)
+    .add("value", border.value) // infinity becomes null
+    .add_if(border.probability.has_value(), "probability", border.probability.value_or(0))
     .add("points", points);
   return object.take();
 }
@@ -158,7 +170,7 @@ Json describe(const Border& border)
 Json describe_borders(const Findings& findings)
 {
   Json array = Json::array();
-  for (const Border& border : find_borders(findings.mesh.mesh, findings.segmentation.segment_ids))
+  for (const Border& border : find_borders(findings))
     array.push_back(describe(border));
   return array;
 }
@@ -207,12 +219,14 @@ Json describe(const Segmentation_options& options)
   object
     .add_if(options.number_of_segments.has_value(), "segments_requested",
             options.number_of_segments.value_or(0))
+    .add_if(options.tips.has_value(), "tips_requested", options.tips.value_or(std::vector<std::size_t>()))
     .add("method", options.method)
     .add_if(!options.distance.empty(), "distance", options.distance) // none: the method's own
     .add_if(options.distance == "landmark", "landmarks", options.landmarks)
     .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
     .add_if(options.distance == "diffusion", "diffusion_time", options.time)
-    .add("seed", options.seed);
+    .add("seed", options.seed)
+    .add("smooth_borders", options.are_borders_smooth);
   return object.take();
 }
 

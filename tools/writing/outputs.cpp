@@ -112,6 +112,8 @@ Segmented_soup part_of(const Segmented_soup& whole, const std::vector<std::size_
   for (const std::size_t face : faces)
   {
     part.segments.push_back(whole.segments[face]);
+    if (!whole.old_faces.empty())
+      part.old_faces.push_back(whole.old_faces[face]);
     part.soup.polygons.emplace_back();
     for (const std::size_t corner : whole.soup.polygons[face])
     {
@@ -153,6 +155,11 @@ std::vector<std::string> output_formats()
 bool is_pattern(const std::string& name)
 {
   return find_placeholder(name).size > 0;
+}
+
+bool holds_a_mesh(const std::string& name)
+{
+  return find_format(name)->holds_a_mesh;
 }
 
 void check_output_name(const std::string& name)

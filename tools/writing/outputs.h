@@ -23,6 +23,9 @@ std::vector<std::string> output_formats();
 // Does the name have a "%d", or a "%03d", for a file per segment?
 bool is_pattern(const std::string& name);
 
+// Or only the labels of the faces of the file that was read?
+bool holds_a_mesh(const std::string& name);
+
 // Throws std::invalid_argument if no file can have this name: an unknown extension, or a "%d" where
 // there can be none.
 void check_output_name(const std::string& name);

@@ -64,6 +64,7 @@ inline void write_PLY(std::ostream& out, const Segmented_soup& segmented)
       << "\nproperty double x\nproperty double y\nproperty double z\n"
       << color << "element face " << polygons.size() << "\nproperty list " << (is_wide ? "uint" : "uchar")
       << " int vertex_indices\nproperty uint segment\n"
+      << (segmented.old_faces.empty() ? "" : "property uint old_face\n")
       << color << "end_header\n";
   const std::vector<CGAL::IO::Color> colors = colors_of_points(segmented);
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -81,6 +82,8 @@ inline void write_PLY(std::ostream& out, const Segmented_soup& segmented)
     for (const std::size_t corner : polygons[i])
       write_bits(out, static_cast<std::uint32_t>(corner));
     write_bits(out, static_cast<std::uint32_t>(segmented.segments[i]));
+    if (!segmented.old_faces.empty())
+      write_bits(out, static_cast<std::uint32_t>(segmented.old_faces[i]));
     write_color(out, segment_color(segmented.segments[i]));
   }
 }

@@ -27,14 +27,21 @@ void write_data_array(std::ostream& out, const std::string& attributes, const Wr
   out << "</DataArray>\n";
 }
 
-// A cell for each face, in their order, with the segment and its colour.
-inline void write_cell_data(std::ostream& out, const std::vector<std::size_t>& segments)
+// A cell for each face, in their order, with the segment, the old face if there is one, and the colour.
+inline void write_cell_data(std::ostream& out,
+                            const std::vector<std::size_t>& segments,
+                            const std::vector<std::size_t>& old_faces)
 {
   out << "<CellData Scalars=\"segment\">\n";
   write_data_array(out, "type=\"UInt32\" Name=\"segment\"", [&]() {
     for (const std::size_t segment : segments)
       out << segment << "\n";
   });
+  if (!old_faces.empty())
+    write_data_array(out, "type=\"UInt32\" Name=\"old_face\"", [&]() {
+      for (const std::size_t face : old_faces)
+        out << face << "\n";
+    });
   write_data_array(out, "type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\"", [&]() {
     for (const std::size_t segment : segments)
     {
@@ -75,7 +82,7 @@ inline void write_VTP(std::ostream& out, const Segmented_soup& segmented)
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
       << "<Piece NumberOfPoints=\"" << segmented.soup.points.size() << "\" NumberOfPolys=\""
       << segmented.soup.polygons.size() << "\">\n";
-  write_cell_data(out, segmented.segments);
+  write_cell_data(out, segmented.segments, segmented.old_faces);
   write_polygons(out, segmented.soup);
   out << "</Piece>\n</PolyData>\n</VTKFile>\n";
 }

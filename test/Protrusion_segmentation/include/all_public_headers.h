@@ -6,6 +6,7 @@
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_ALL_PUBLIC_HEADERS_H
 
 #include <CGAL/IO/SEG.h>
+#include <CGAL/Protrusion_segmentation/Border_values.h>
 #include <CGAL/Protrusion_segmentation/Consistency_error.h>
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
@@ -18,10 +19,14 @@
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
 #include <CGAL/Protrusion_segmentation/Protrusion.h>
+#include <CGAL/Protrusion_segmentation/Segment_border.h>
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_metrics.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
 #include <CGAL/Protrusion_segmentation/bucket_shortest_paths.h>
+#include <CGAL/Protrusion_segmentation/label_confidence.h>
+#include <CGAL/Protrusion_segmentation/segment_borders.h>
+#include <CGAL/Protrusion_segmentation/smooth_segment_borders.h>
 #include <CGAL/protrusion_segmentation.h>
 #include <CGAL/segmentation_metrics.h>
 

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the tool wrote, as arrays, and the segments at every number of segments.
+// What the tool wrote, as arrays, and the segments that are left when some cuts are taken back.
 
 "use strict";
 
@@ -15,59 +15,130 @@ function decode(base64, Type)
   return new Type(bytes.buffer);
 }
 
+function typeOfBytes(bytes) { return {1: Uint8Array, 2: Uint16Array, 4: Uint32Array}[bytes]; }
+
 class Model
 {
   constructor(data)
   {
     this.data = data;
-    this.positions = decode(data.mesh.positions, Float32Array);
-    this.triangles = decode(data.mesh.triangles, Uint32Array);
-    this.faces = decode(data.mesh.faces, Uint32Array); // of the triangles
-    this.segments = decode(data.mesh.segments, Uint32Array); // of the faces, the finest
-    this.borders = decode(data.mesh.borders, Uint32Array); // vertex, vertex, segment, segment
+    const {mesh} = data;
+    // from whole numbers of 16 bits to a ball of radius one
+    this.positions = Float32Array.from(decode(mesh.positions, Uint16Array), x => x / 32767.5 - 1);
+    this.triangles = decode(mesh.triangles, typeOfBytes(mesh.index_bytes));
+    this.faces = mesh.faces === null ? null : decode(mesh.faces, Uint32Array); // of the triangles; null: they are faces
+    this.segments = decode(mesh.segments, typeOfBytes(mesh.segment_bytes)); // of the faces, the finest
+    this.borders = decode(mesh.borders, Uint32Array); // vertex, vertex, segment, segment
     this.colors = data.colors; // of the segments
     this.maximum = data.segments;
     this.minimum = data.segments - data.protrusions.length; // one for each connected component
     this.protrusions = new Map(data.protrusions.map(protrusion => [protrusion.segment, protrusion]));
+    this.facesOfSegments = new Uint32Array(this.maximum);
+    for (const segment of this.segments)
+      ++this.facesOfSegments[segment];
     this.setLevel(this.maximum);
   }
 
   // With one segment less, the last segment is given to its parent, or to the nearest ancestor that is left.
   setLevel(numberOfSegments)
   {
-    this.level = numberOfSegments;
+    this.setJoined(new Set([...this.protrusions.keys()].filter(s => s >= numberOfSegments)));
+  }
+
+  // `joined`: the protrusions whose cuts are taken back
+  setJoined(joined)
+  {
+    this.joined = joined;
+    this.number = this.maximum - joined.size;
     this.ancestors = new Uint32Array(this.maximum);
-    for (let s = 0; s < this.maximum; ++s)
-      this.ancestors[s] = this.ancestor(s);
     this.faceCounts = new Uint32Array(this.maximum);
-    for (const segment of this.segments)
-      ++this.faceCounts[this.ancestors[segment]];
+    for (let s = 0; s < this.maximum; ++s)
+    {
+      this.ancestors[s] = this.ancestor(s);
+      this.faceCounts[this.ancestors[s]] += this.facesOfSegments[s];
+    }
+  }
+
+  // All cuts are taken back but those of the smallest protrusions around these faces.
+  setTips(faces)
+  {
+    const kept = new Set(faces.map(face => this.segments[face]));
+    this.setJoined(new Set([...this.protrusions.keys()].filter(s => !kept.has(s))));
   }
 
   ancestor(segment)
   {
-    while (segment >= this.level)
+    while (this.joined.has(segment))
       segment = this.protrusions.get(segment).parent;
     return segment;
   }
 
-  segmentOfTriangle(triangle) { return this.ancestors[this.segments[this.faces[triangle]]]; }
+  isShown(segment) { return segment < this.maximum && !this.joined.has(segment); }
+
+  shownSegments() { return Array.from({length: this.maximum}, (_, s) => s).filter(s => !this.joined.has(s)); }
+
+  faceOfTriangle(triangle) { return this.faces === null ? triangle : this.faces[triangle]; }
+
+  segmentOfFace(face) { return this.ancestors[this.segments[face]]; }
 
   children(segment)
   {
-    return this.data.protrusions.filter(p => p.segment < this.level && this.ancestors[p.parent] === segment)
+    return this.data.protrusions.filter(p => !this.joined.has(p.segment) && this.ancestors[p.parent] === segment)
       .map(p => p.segment);
+  }
+
+  // The least value of a cut around a segment; infinity if there is none.
+  confidence(segment)
+  {
+    const values = this.children(segment).map(child => this.protrusions.get(child).value);
+    if (this.protrusions.has(segment))
+      values.push(this.protrusions.get(segment).value);
+    return Math.min(...values);
   }
 
   centroid(face)
   {
+    let first = face;
+    if (this.faces !== null) // ascending
+      for (let low = 0, high = this.faces.length; low < high;)
+      {
+        const middle = (low + high) >> 1;
+        if (this.faces[middle] < face)
+          low = middle + 1;
+        else
+          high = middle;
+        first = low;
+      }
     const sum = [0, 0, 0];
     let count = 0;
-    for (let t = this.faces.indexOf(face); this.faces[t] === face; ++t)
+    for (let t = first; t === first || (this.faces !== null && this.faces[t] === face); ++t)
       for (let corner = 0; corner < 3; ++corner, ++count)
         for (let c = 0; c < 3; ++c)
           sum[c] += this.positions[3 * this.triangles[3 * t + corner] + c];
     return sum.map(x => x / count);
+  }
+
+  // A face on the segment as it is shown: its tip, or, if another protrusion took that, the face farthest from the border.
+  // None for a body.
+  tip(segment)
+  {
+    const protrusion = this.protrusions.get(segment);
+    if (!protrusion)
+      return undefined;
+    if (this.segmentOfFace(protrusion.tip) === segment)
+      return protrusion.tip;
+    const ends = this.borderEdges(segment).flat().map(v => this.point(v));
+    const center = [0, 1, 2].map(c => ends.reduce((sum, p) => sum + p[c], 0) / Math.max(1, ends.length));
+    let [best, farthest] = [undefined, -1];
+    for (let face = 0; face < this.segments.length; ++face)
+      if (this.segmentOfFace(face) === segment)
+      {
+        const point = this.centroid(face);
+        const distance = Math.hypot(...point.map((x, c) => x - center[c]));
+        if (distance > farthest)
+          [best, farthest] = [face, distance];
+      }
+    return best;
   }
 
   // The ends of all edges between two segments; with `segment`, only of its own border.
@@ -84,4 +155,15 @@ class Model
   }
 
   point(vertex) { return Array.from(this.positions.subarray(3 * vertex, 3 * vertex + 3)); }
+
+  // The numbers under which the shown segments are saved, 0, 1, 2 ...
+  savedNumbers() { return new Map(this.shownSegments().map((segment, i) => [segment, i])); }
+
+  // One segment a line, for each face.
+  segText()
+  {
+    const numbers = this.savedNumbers();
+    const lines = Array.from(this.ancestors, segment => String(numbers.get(segment)));
+    return Array.from(this.segments, segment => lines[segment]).join("\n") + "\n";
+  }
 }

@@ -49,11 +49,32 @@ function histogram(values, slot, label)
   return svg;
 }
 
+function showsConfidence() { return document.getElementById("colors").value === "confidence"; }
+
+// From the least sure, red, over light grey to the surest, blue: a scale that people who confuse red and green can read.
+function colorOfShare(share)
+{
+  const [low, middle, high] = [[202, 0, 32], [235, 235, 235], [5, 90, 170]];
+  const [from, to, t] = share < 0.5 ? [low, middle, 2 * share] : [middle, high, 2 * share - 1];
+  return from.map((x, i) => Math.round(x + t * (to[i] - x)));
+}
+
+// The colour of a shown segment: its own, or that of its confidence between the least and the largest value of a border.
+function colorOf(model, segment)
+{
+  if (!showsConfidence())
+    return model.colors[segment];
+  const values = model.data.protrusions.map(p => p.value);
+  const [least, largest] = [Math.min(...values), Math.max(...values)];
+  return colorOfShare(largest > least ? Math.min(1, (model.confidence(segment) - least) / (largest - least)) : 1);
+}
+
 class Panel
 {
-  constructor(model, onSelect)
+  constructor(model, editor, onSelect)
   {
     this.model = model;
+    this.editor = editor;
     this.onSelect = onSelect;
     const {data} = model;
     const name = data.input.split(/[\\/]/).pop();
@@ -61,32 +82,33 @@ class Panel
     this.part("title").textContent = name;
     this.part("summary").textContent =
       `${data.faces.toLocaleString("en")} faces, ${data.segments} segments in ${format(data.seconds)} s; ` +
-      `method ${data.method}, distance ${data.distance}`;
+      `method ${data.method}` + (data.distance === null ? "" : `, distance ${data.distance}`);
+    this.part("meanings").replaceChildren(...Object.entries(Panel.meanings).flatMap(
+      ([name, meaning]) => [element("dt", {textContent: name}), element("dd", {textContent: meaning})]));
     this.part("note").hidden = data.note === null;
     this.part("note").textContent = data.note ?? "";
   }
 
   part(id) { return document.getElementById(id); }
 
-  nameOf(segment)
-  {
-    return segment < this.model.minimum ? `${segment}: body` : `${segment}`;
-  }
-
   show(selected)
   {
     const bodies = Array.from({length: this.model.minimum}, (_, s) => s);
     this.part("tree").replaceChildren(...bodies.map(s => this.branch(s, selected)));
     this.part("details").replaceChildren(...this.details(selected));
+    this.part("tips").replaceChildren(...this.editor.tips.map(face => this.itemOfTip(face)));
+    this.part("scale").hidden = !showsConfidence();
   }
 
   branch(segment, selected)
   {
     const swatch = element("span", {className: "swatch"});
-    swatch.style.background = `rgb(${this.model.colors[segment].join()})`;
+    swatch.style.background = `rgb(${colorOf(this.model, segment).join()})`;
     const button = element("button", {type: "button", onclick: () => this.onSelect(segment)},
-                           swatch, this.nameOf(segment));
+                           swatch, this.editor.nameOf(segment));
     button.setAttribute("aria-pressed", segment === selected);
+    if (showsConfidence() && Number.isFinite(this.model.confidence(segment)))
+      button.append(` (${format(this.model.confidence(segment))})`);
     const children = this.model.children(segment);
     const item = element("li", {}, button);
     if (children.length > 0)
@@ -99,20 +121,37 @@ class Panel
     if (selected < 0)
       return [element("p", {textContent: "No segment is selected."})];
     const rows = [["faces", format(this.model.faceCounts[selected])]];
+    if (Number.isFinite(this.model.confidence(selected)))
+      rows.push(["confidence", format(this.model.confidence(selected))]);
     const protrusion = this.model.protrusions.get(selected);
     if (protrusion)
       rows.push(...this.rowsOf(protrusion));
     const table = element("table", {}, ...rows.map(([name, value]) => element(
-      "tr", {}, element("th", {textContent: name}), element("td", {textContent: value}))));
-    return [element("h2", {textContent: `Segment ${this.nameOf(selected)}`}), table,
+      "tr", {title: Panel.meanings[name] ?? ""}, element("th", {textContent: name}), element("td", {textContent: value}))));
+    return [element("h2", {textContent: `Segment ${this.editor.nameOf(selected)}`}), this.nameField(selected), table,
             ...(protrusion ? this.histogramsOf(protrusion) : [])];
+  }
+
+  nameField(segment)
+  {
+    const field = element("input", {id: "name", value: this.editor.names.get(segment) ?? "", placeholder: "its name"});
+    field.onchange = () => this.editor.rename(segment, field.value.trim());
+    return element("label", {className: "name"}, "name ", field);
+  }
+
+  itemOfTip(face)
+  {
+    const button = element("button", {type: "button", textContent: "×", title: "take this tip away",
+                                      onclick: () => this.editor.pick(face)});
+    return element("li", {}, `face ${face} `, button);
   }
 
   rowsOf(protrusion)
   {
     const hasSlot = protrusion.border_slot !== null;
-    const rows = [["sticks out of segment", this.model.ancestors[protrusion.parent]], ["tip at face", protrusion.tip],
+    const rows = [["sticks out of segment", this.model.ancestors[protrusion.parent]], ["tip at face", this.model.tip(protrusion.segment)],
                   [hasSlot ? "prominence of the border" : "value of the cut", format(protrusion.value)],
+                  ...(protrusion.probability === null ? [] : [["probability of the border", format(protrusion.probability)]]),
                   ["area beyond the border", format(protrusion.area)],
                   ["length of the border", format(protrusion.border_length)]];
     if (protrusion.border_distance > 0)
@@ -133,3 +172,21 @@ class Panel
             histogram(protrusion.sectional_diameter_histogram, slot, "Sectional-diameter histogram")];
   }
 }
+
+// What the numbers are, and in which unit. Shown under the mouse, and in a list.
+Panel.meanings = {
+  "faces": "of the file that was segmented",
+  "confidence": "the least value of a border of this segment: how sure it is that it belongs to no other one; what has " +
+                "the least is to be checked first",
+  "sticks out of segment": "the segment that gets these faces if the two are merged",
+  "tip at face": "the face farthest from the border, counted from 0 in the order of the file",
+  "prominence of the border": "how much wider the surface is behind the border than at it: the logarithm of the ratio",
+  "value of the cut": "from -0.5 to 0.5, without a unit: how much better a segmentation is with the cut; it grows with " +
+                      "the probability and with the size of both sides",
+  "probability of the border": "from 0 to 1: that people would put the two sides into different segments",
+  "area beyond the border": "of the segment and of all that sticks out of it in the finest segmentation, in the square of " +
+                            "the file's unit of length",
+  "length of the border": "in the file's unit of length",
+  "distance of the border from the tip": "along the surface, in the file's unit of length",
+  "slot of the border": "which of a hundred slots of distance from the tip the border lies in",
+};

@@ -2,17 +2,18 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The mesh on the canvas: colours, borders, the tip, turning by hand, and which segment is clicked.
+// The mesh on the canvas: colours, borders, tips, turning by hand, and which face is clicked.
 // Positions are such that the mesh is in a ball of radius one. Drawn only when something changed.
 
 "use strict";
 
 class View
 {
-  constructor(canvas, model)
+  constructor(canvas, model, editor)
   {
     this.canvas = canvas;
     this.model = model;
+    this.editor = editor;
     this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: true});
     this.renderer.setPixelRatio(window.devicePixelRatio);
     this.renderer.setClearColor(0xffffff);
@@ -49,29 +50,46 @@ class View
   // are shared, since drawing takes time for each.
   splitAtBorders(normals)
   {
-    const {positions, triangles, faces, segments, maximum} = this.model;
+    const {positions, triangles, segments, maximum} = this.model;
+    const count = positions.length / 3;
+    const none = 0xffffffff;
+    const segmentOf = new Uint32Array(count).fill(none); // of the first copy, which has the vertex's number
     const copies = new Map();
-    const vertices = [];
-    this.segmentOfVertex = []; // the finest
-    const index = triangles.map((vertex, i) =>
+    const [vertices, segmentsOfCopies] = [[], []];
+    const index = new Uint32Array(triangles.length);
+    for (let i = 0; i < triangles.length; ++i)
     {
-      const segment = segments[faces[Math.floor(i / 3)]];
+      const vertex = triangles[i];
+      const segment = segments[this.model.faceOfTriangle(Math.floor(i / 3))];
+      if (segmentOf[vertex] === none)
+        segmentOf[vertex] = segment;
+      index[i] = vertex;
+      if (segmentOf[vertex] === segment)
+        continue;
       const key = vertex * maximum + segment;
       if (!copies.has(key))
       {
-        copies.set(key, vertices.length);
+        copies.set(key, count + vertices.length);
         vertices.push(vertex);
-        this.segmentOfVertex.push(segment);
+        segmentsOfCopies.push(segment);
       }
-      return copies.get(key);
-    });
-    const copied = array => new THREE.BufferAttribute(
-      new Float32Array(3 * vertices.length).map((_, i) => array[3 * vertices[Math.floor(i / 3)] + i % 3]), 3);
+      index[i] = copies.get(key);
+    }
+    this.segmentOfVertex = new Uint32Array(count + vertices.length); // the finest
+    this.segmentOfVertex.set(segmentOf.map(segment => segment === none ? 0 : segment));
+    this.segmentOfVertex.set(segmentsOfCopies, count);
+    const copied = array =>
+    {
+      const result = new Float32Array(3 * (count + vertices.length));
+      result.set(array);
+      vertices.forEach((v, i) => result.set(array.subarray(3 * v, 3 * v + 3), 3 * (count + i)));
+      return new THREE.BufferAttribute(result, 3);
+    };
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", copied(positions));
     geometry.setAttribute("normal", copied(normals));
     geometry.setAttribute("color",
-                          new THREE.BufferAttribute(new Uint8Array(3 * vertices.length), 3, true));
+                          new THREE.BufferAttribute(new Uint8Array(3 * this.segmentOfVertex.length), 3, true));
     geometry.setIndex(new THREE.BufferAttribute(index, 1));
     return geometry;
   }
@@ -85,20 +103,31 @@ class View
     this.rod = new THREE.CylinderGeometry(0.006, 0.006, 1, 6);
     this.rodMaterial = new THREE.MeshBasicMaterial({color: 0x101010});
     this.border = new THREE.Group();
-    this.turned.add(this.lines, this.tip, this.border);
+    this.picked = new THREE.Group();
+    this.pickedMaterial = new THREE.MeshLambertMaterial({color: 0x1060d0});
+    this.turned.add(this.lines, this.tip, this.border, this.picked);
   }
 
   // Colours for the current level; all but the selected segment are faint. -1 selects none.
   show(selected)
   {
-    const {colors, ancestors} = this.model;
+    const {maximum, ancestors} = this.model;
     const faint = color => color.map(c => Math.round(c + 0.6 * (255 - c)));
-    const shown = colors.map((color, s) => selected < 0 || s === selected ? color : faint(color));
+    const shown = new Uint8Array(3 * maximum); // for the finest segments
+    for (let s = 0; s < maximum; ++s)
+    {
+      const color = colorOf(this.model, ancestors[s]);
+      shown.set(selected < 0 || ancestors[s] === selected ? color : faint(color), 3 * s);
+    }
     const bytes = this.geometry.attributes.color.array;
-    this.segmentOfVertex.forEach((segment, v) => bytes.set(shown[ancestors[segment]], 3 * v));
+    const segments = this.segmentOfVertex;
+    for (let v = 0; v < segments.length; ++v)
+      for (let c = 0; c < 3; ++c)
+        bytes[3 * v + c] = shown[3 * segments[v] + c];
     this.geometry.attributes.color.needsUpdate = true;
     this.showLines();
     this.showTip(selected);
+    this.showPickedTips();
     this.showBorder(selected);
     this.draw();
   }
@@ -112,10 +141,21 @@ class View
 
   showTip(selected)
   {
-    const protrusion = this.model.protrusions.get(selected);
-    this.tip.visible = protrusion !== undefined;
-    if (protrusion)
-      this.tip.position.set(...this.model.centroid(protrusion.tip));
+    const face = this.model.tip(selected);
+    this.tip.visible = face !== undefined;
+    if (face !== undefined)
+      this.tip.position.set(...this.model.centroid(face));
+  }
+
+  showPickedTips()
+  {
+    this.picked.remove(...this.picked.children);
+    for (const face of this.editor.tips)
+    {
+      const mark = new THREE.Mesh(this.tip.geometry, this.pickedMaterial);
+      mark.position.set(...this.model.centroid(face));
+      this.picked.add(mark);
+    }
   }
 
   // Lines are one pixel wide everywhere, so the selected border is made of rods.
@@ -185,16 +225,54 @@ class View
     this.draw();
   }
 
-  // The segment at a point of the window; -1 where there is none.
-  segmentAt(x, y)
+  // The face at a point of the window; -1 where there is none.
+  faceAt(x, y)
   {
     const box = this.canvas.getBoundingClientRect();
     const position = new THREE.Vector2(2 * (x - box.left) / box.width - 1,
                                        1 - 2 * (y - box.top) / box.height);
-    const caster = new THREE.Raycaster();
-    caster.setFromCamera(position, this.camera);
-    const hits = caster.intersectObject(this.mesh);
-    return hits.length === 0 ? -1 : this.model.segmentOfTriangle(hits[0].faceIndex);
+    this.scene.updateMatrixWorld();
+    const back = new THREE.Matrix4().getInverse(this.turned.matrixWorld);
+    const from = this.camera.position.clone().applyMatrix4(back);
+    const to = new THREE.Vector3(position.x, position.y, 0.5).unproject(this.camera).applyMatrix4(back);
+    const triangle = this.firstTriangle(from.toArray(), to.sub(from).toArray());
+    return triangle < 0 ? -1 : this.model.faceOfTriangle(triangle);
+  }
+
+  // The first triangle on a ray, by the algorithm of Moeller and Trumbore (1997); -1 if there is none. Without an object for
+  // each triangle, a million of them take some hundredths of a second.
+  firstTriangle([px, py, pz], [dx, dy, dz])
+  {
+    const {positions: p, triangles} = this.model;
+    let [best, nearest] = [-1, Infinity];
+    for (let t = 0; t < triangles.length; t += 3)
+    {
+      const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
+      const ex = p[b] - p[a], ey = p[b + 1] - p[a + 1], ez = p[b + 2] - p[a + 2];
+      const fx = p[c] - p[a], fy = p[c + 1] - p[a + 1], fz = p[c + 2] - p[a + 2];
+      const hx = dy * fz - dz * fy, hy = dz * fx - dx * fz, hz = dx * fy - dy * fx;
+      const determinant = ex * hx + ey * hy + ez * hz;
+      if (determinant === 0)
+        continue;
+      const sx = px - p[a], sy = py - p[a + 1], sz = pz - p[a + 2];
+      const u = (sx * hx + sy * hy + sz * hz) / determinant;
+      if (u < 0 || u > 1)
+        continue;
+      const qx = sy * ez - sz * ey, qy = sz * ex - sx * ez, qz = sx * ey - sy * ex;
+      const v = (dx * qx + dy * qy + dz * qz) / determinant;
+      if (v < 0 || u + v > 1)
+        continue;
+      const distance = (fx * qx + fy * qy + fz * qz) / determinant;
+      if (distance > 0 && distance < nearest)
+        [best, nearest] = [t / 3, distance];
+    }
+    return best;
+  }
+
+  segmentAt(x, y)
+  {
+    const face = this.faceAt(x, y);
+    return face < 0 ? -1 : this.model.segmentOfFace(face);
   }
 
   // Where a face is in the window, hidden or not.

@@ -2,41 +2,55 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Mouse, keys and slider.
+// Mouse, keys, slider and buttons.
 
 "use strict";
+
+function saveFile(name, text)
+{
+  const link = element("a", {href: URL.createObjectURL(new Blob([text], {type: "text/plain"})), download: name});
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
 
 class Report
 {
   constructor()
   {
     this.model = new Model(JSON.parse(document.getElementById("data").textContent));
+    this.editor = new Editor(this.model, () => this.show());
     this.selected = -1;
-    this.panel = new Panel(this.model, segment => this.select(segment));
-    this.view = new View(document.getElementById("canvas"), this.model);
+    this.panel = new Panel(this.model, this.editor, segment => this.select(segment));
+    this.view = new View(document.getElementById("canvas"), this.model, this.editor);
     this.connectSlider();
+    this.connectButtons();
     this.connectPointer(this.view.canvas);
     this.connectKeys(this.view.canvas);
-    this.setLevel(this.model.maximum);
     const named = Number.parseInt(location.hash.slice(1)); // page.html#3 begins with segment 3
-    if (named < this.model.maximum)
-      this.select(named);
+    this.select(named < this.model.maximum ? named : -1);
   }
 
   select(segment)
   {
     this.selected = segment;
-    this.panel.show(segment);
-    this.view.show(segment);
+    this.show();
   }
 
-  setLevel(numberOfSegments)
+  show()
   {
-    this.model.setLevel(numberOfSegments);
-    document.getElementById("level").value = numberOfSegments;
-    document.getElementById("level_value").value = `${numberOfSegments} of ${this.model.maximum}`;
-    this.select(this.selected < numberOfSegments ? this.selected : -1);
+    if (this.selected >= 0 && !this.model.isShown(this.selected))
+      this.selected = this.model.ancestors[this.selected];
+    const {number, maximum} = this.model;
+    document.getElementById("level").value = number;
+    document.getElementById("level_value").value = `${number} of ${maximum}`;
+    document.getElementById("undo").disabled = !this.editor.canUndo();
+    document.getElementById("merge").disabled = !this.editor.canMerge(this.selected);
+    document.getElementById("from_tips").disabled = this.editor.tips.length === 0;
+    this.panel.show(this.selected);
+    this.view.show(this.selected);
   }
+
+  setLevel(numberOfSegments) { this.editor.setLevel(numberOfSegments); }
 
   connectSlider()
   {
@@ -44,6 +58,29 @@ class Report
     Object.assign(slider, {min: this.model.minimum, max: this.model.maximum, value: this.model.maximum});
     slider.oninput = () => this.setLevel(slider.valueAsNumber);
     document.getElementById("levels").hidden = this.model.minimum === this.model.maximum;
+  }
+
+  connectButtons()
+  {
+    const name = this.model.data.input.split(/[\\/]/).pop().replace(/\.[^.]*$/, "") || "mesh";
+    const actions = {undo: () => this.editor.undo(), merge: () => this.editor.merge(this.selected),
+                     from_tips: () => this.editor.segmentFromTips(),
+                     save_seg: () => saveFile(`${name}.seg`, this.model.segText()),
+                     save_tips: () => saveFile(`${name}.tips.json`, this.editor.tipsText())};
+    for (const [id, action] of Object.entries(actions))
+      document.getElementById(id).onclick = action;
+    document.getElementById("colors").onchange = () => this.show();
+  }
+
+  isPicking() { return document.getElementById("picking").checked; }
+
+  click(x, y)
+  {
+    const face = this.view.faceAt(x, y);
+    if (this.isPicking() && face >= 0)
+      this.editor.pick(face);
+    else
+      this.select(face < 0 ? -1 : this.model.segmentOfFace(face));
   }
 
   connectPointer(canvas)
@@ -67,7 +104,7 @@ class Report
     canvas.onpointerup = event =>
     {
       if (travelled < 5 && event.button === 0) // a click, by a hand that shakes
-        this.select(this.view.segmentAt(event.clientX, event.clientY));
+        this.click(event.clientX, event.clientY);
     };
     canvas.oncontextmenu = event => event.preventDefault();
     canvas.addEventListener("wheel", event =>
@@ -82,13 +119,16 @@ class Report
     const actions = {ArrowLeft: () => this.view.turn(-0.1, 0), ArrowRight: () => this.view.turn(0.1, 0),
                      ArrowUp: () => this.view.turn(0, -0.1), ArrowDown: () => this.view.turn(0, 0.1),
                      "+": () => this.view.zoom(0.9), "-": () => this.view.zoom(1 / 0.9),
-                     Escape: () => this.select(-1)};
+                     Escape: () => this.select(-1), Delete: () => this.editor.merge(this.selected)};
     canvas.onkeydown = event =>
     {
-      if (!(event.key in actions))
+      if (event.key === "z" && event.ctrlKey)
+        this.editor.undo();
+      else if (event.key in actions)
+        actions[event.key]();
+      else
         return;
       event.preventDefault();
-      actions[event.key]();
     };
   }
 }

@@ -122,7 +122,7 @@ private:
   Cut_set::Made_cut made_cut(Index segment, const Cut& cut)
   {
     const auto [inner, outer] = m_pool.sides(segment, cut.inner);
-    return {segment, inner, outer, cut.value};
+    return {segment, inner, outer, cut.value, cut.probability};
   }
 
   // Makes the beam one of sets with one cut more.

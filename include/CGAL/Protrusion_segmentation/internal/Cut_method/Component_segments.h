@@ -124,6 +124,7 @@ private:
       m_parents.push_back(number[tree.parent(leaf)]);
       m_areas_beyond.push_back(tree.area_beyond(leaf));
       m_values.push_back(border == 0 ? 0 : m_set.cuts[border - 1].value);
+      m_probabilities.push_back(border == 0 ? 1 : m_set.cuts[border - 1].probability);
     }
     for (Index& label : m_labels)
       label = number[label];
@@ -229,6 +230,7 @@ private:
     result.tip = from_border.nodes.back();
     result.border_distance = from_border.distances.back() * unit;
     result.value = m_values[s];
+    result.probability = m_probabilities[s];
     result.area = m_areas_beyond[s];
     result.border_length = border_length(s) * unit;
     return result;
@@ -256,7 +258,7 @@ private:
   std::vector<Index> m_leaf_of_node;
   std::map<Index, std::vector<Index>> m_leaves; // in every segment of the pool that was one
   std::vector<Index> m_parents; // of every segment; the body is its own
-  std::vector<double> m_areas_beyond, m_values;
+  std::vector<double> m_areas_beyond, m_values, m_probabilities;
 };
 
 } // namespace internal

@@ -22,6 +22,7 @@ struct Cut
 {
   Graph_partition::Nodes inner; // the side of smaller area
   double value = 0;             // higher is better, below 0 it separates what belongs together
+  double probability = 0;       // that the sides belong to different segments; the value comes from it
 };
 
 // Values a cut: how much better a segmentation becomes by it. That is about the number of pairs of points on
@@ -40,8 +41,8 @@ inline void value_cut(Graph_partition& partition,
   cut.value = -(std::numeric_limits<double>::infinity)();
   if (!is_large_enough(area, segment_area))
     return;
-  const double probability = policy.probability(Clues_of_cut(partition, segment, nodes, cut.inner, segment_area)());
-  cut.value = (2 * probability - 1) * std::sqrt(area * (segment_area - area));
+  cut.probability = policy.probability(Clues_of_cut(partition, segment, nodes, cut.inner, segment_area)());
+  cut.value = (2 * cut.probability - 1) * std::sqrt(area * (segment_area - area));
 }
 
 } // namespace internal

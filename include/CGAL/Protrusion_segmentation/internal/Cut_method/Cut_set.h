@@ -25,6 +25,7 @@ struct Cut_set
   {
     Index segment, inner, outer;
     double value;
+    double probability = 0;
   };
 
   std::vector<Index> segments; // that are left, ascending

@@ -73,6 +73,7 @@ public:
     protrusion.tip = descriptor(found.tip);
     protrusion.border_distance = found.border_distance * unit;
     protrusion.value = found.value;
+    protrusion.probability = found.probability;
     protrusion.area = found.area * unit * unit;
     protrusion.border_length = found.border_length * unit;
     protrusion.border_slot = found.border_slot;

@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_LABEL_CONFIDENCE_H
+#define CGAL_PROTRUSION_SEGMENTATION_LABEL_CONFIDENCE_H
+
+#include <CGAL/Protrusion_segmentation/Border_values.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+tells for every face how sure its label is: the least value of a border on the way from its segment to another one. What
+has the least confidence is what to check by hand first.
+
+\tparam FaceGraph a model of `FaceListGraph`
+\tparam SegmentMap a model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type
+                   and an integral value type
+\tparam ConfidenceMap a model of `WritablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key
+                      type and `double` as value type
+
+\param tmesh the mesh
+\param segment_ids the segment of every face, as written by a function of this package
+\param borders the values of the borders, made from the protrusions that a visitor was told of
+\param confidence for every face the least value of a border of its segment, in the unit of
+       `Protrusion_segmentation::Border_values`; infinity where a component is one segment
+
+Complexity: linear in the number of faces.
+*/
+template <typename FaceGraph, typename SegmentMap, typename ConfidenceMap>
+void label_confidence(const FaceGraph& tmesh,
+                      SegmentMap segment_ids,
+                      const Protrusion_segmentation::Border_values& borders,
+                      ConfidenceMap confidence)
+{
+  for (const auto f : faces(tmesh))
+    put(confidence, f, borders.least_value(static_cast<std::size_t>(get(segment_ids, f))));
+}
+
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_LABEL_CONFIDENCE_H

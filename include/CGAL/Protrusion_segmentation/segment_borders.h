@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_SEGMENT_BORDERS_H
+#define CGAL_PROTRUSION_SEGMENTATION_SEGMENT_BORDERS_H
+
+#include <CGAL/Protrusion_segmentation/Segment_border.h>
+#include <CGAL/Protrusion_segmentation/internal/Mesh/Segment_border_finder.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <utility>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+finds the borders between segments as lines of edges. The boundary of the mesh is no border between segments.
+
+\tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph` with a point for each vertex
+\tparam SegmentMap a model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type
+                   and an integral value type
+\tparam OutputIterator a model of `OutputIterator` that accepts a `Protrusion_segmentation::Segment_border` of the
+                       type of the points
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+
+\param tmesh the mesh. Faces may be any polygons; there may be boundaries and several components.
+\param segment_ids the segment of every face, from 0
+\param borders where the borders are written, sorted by their two segments
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` as for
+          `segmentation_via_protrusion_tips()`
+
+\return `borders`, advanced
+
+Complexity: linear in the number of edges; where many edges of a segment meet at one vertex, each goes around it.
+*/
+template <typename FaceGraph, typename SegmentMap, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
+OutputIterator segment_borders(const FaceGraph& tmesh,
+                               SegmentMap segment_ids,
+                               OutputIterator borders,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
+                                                   get_const_property_map(CGAL::vertex_point, tmesh));
+  Protrusion_segmentation::internal::Segment_border_finder finder(tmesh, segment_ids, points);
+  for (auto& border : finder.find())
+    *borders++ = std::move(border);
+  return borders;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_SEGMENT_BORDERS_H

@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_SMOOTH_SEGMENT_BORDERS_H
+#define CGAL_PROTRUSION_SEGMENTATION_SMOOTH_SEGMENT_BORDERS_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Borders/cut_along_smooth_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/Mesh/named_parameters.h>
+#include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Mesh/write_cut_surface.h>
+
+#include <CGAL/Named_function_parameters.h>
+#include <CGAL/boost/graph/named_params_helper.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
+
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+moves the borders between segments, which are ragged by a triangle, to smooth lines on the surface, and cuts faces along
+them: makes a new mesh, with the segment and the old face of every new one.
+
+At every vertex, each segment has a share: at first that of the angles of its faces. The shares are averaged with those of
+the neighbors, again and again. Where two of them are equal, there is the border. It crosses edges at new vertices; where
+three segments meet in a face, there is a new vertex in it. The old vertices stay where they are, the new ones lie on
+old edges and faces, so that the surface is the same. It is closed if it was. Pieces of triangles are triangles. A face
+that no border crosses stays as it is.
+
+Segments keep their ids and their number, and each stays connected if it was. A segment that would be lost or torn, such
+as one that is a single triangle wide, keeps its faces, and the borders of the others end at it.
+
+\tparam FaceGraph a model of `FaceListGraph` with a point for each vertex
+\tparam SegmentMap a model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type
+                   and an integral value type
+\tparam OutputMesh a model of `MutableFaceGraph` with a point for each vertex, which has a constructor from three `double`
+\tparam OutputSegmentMap a model of `WritablePropertyMap` with `boost::graph_traits<OutputMesh>::%face_descriptor` as
+                         key type and the value type of `SegmentMap`. It has to take faces that are added to
+                         the mesh after it was made, as those of `Surface_mesh` do.
+\tparam OldFaceMap the same, with `boost::graph_traits<FaceGraph>::%face_descriptor` as value type
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam OutputNamedParameters the same
+
+\param tmesh the mesh. Faces may be any polygons; there may be boundaries and several components. No two edges may have the
+       same two ends.
+\param segment_ids the segment of every face
+\param output the mesh to which the pieces of the faces are added
+\param output_segment_ids the segment of every new face
+\param old_faces for every new face the face of `tmesh` that it is, or is a piece of
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" for `tmesh`
+\param output_np an optional sequence of \ref bgl_namedparameters "Named Parameters" for `output`: `vertex_point_map`
+
+\cgalNamedParamsBegin
+  \cgalParamNBegin{vertex_point_map}
+    \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+    \cgalParamType{a class model of `ReadablePropertyMap` with
+                   `boost::graph_traits<FaceGraph>::%vertex_descriptor` as key type and a point type with
+                   `x()`, `y()` and `z()` as value type}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+  \cgalParamNEnd
+  \cgalParamNBegin{number_of_iterations}
+    \cgalParamDescription{how often shares are averaged. With more, borders get straighter and move farther, up to about
+                          as many edges as the root of the number. 0 leaves all borders where they are.}
+    \cgalParamType{`unsigned int`}
+    \cgalParamDefault{`3`}
+  \cgalParamNEnd
+\cgalNamedParamsEnd
+
+\return the number of segments that keep their faces, since they would have been lost or torn
+
+\throw std::invalid_argument if a coordinate is not finite, if two edges have the same two ends, or if the number of
+       iterations is negative; nothing is added to `output` then
+
+Complexity: O(n log n) for n edges, and linear in the number of iterations near borders.
+*/
+template <typename FaceGraph,
+          typename SegmentMap,
+          typename OutputMesh,
+          typename OutputSegmentMap,
+          typename OldFaceMap,
+          typename NamedParameters = parameters::Default_named_parameters,
+          typename OutputNamedParameters = parameters::Default_named_parameters>
+std::size_t smooth_segment_borders(const FaceGraph& tmesh,
+                                   SegmentMap segment_ids,
+                                   OutputMesh& output,
+                                   OutputSegmentMap output_segment_ids,
+                                   OldFaceMap old_faces,
+                                   const NamedParameters& np = parameters::default_values(),
+                                   const OutputNamedParameters& output_np = parameters::default_values())
+{
+  namespace internal = Protrusion_segmentation::internal;
+  using Index = Protrusion_segmentation::Indexed_surface::Index;
+  using Id = typename boost::property_traits<SegmentMap>::value_type;
+  constexpr unsigned int default_number_of_iterations = 3; // more hardly shorten borders, but move them
+
+  const std::size_t rounds = internal::checked_count(
+    "number_of_iterations", parameters::choose_parameter(
+                              parameters::get_parameter(np, internal_np::number_of_iterations),
+                              default_number_of_iterations));
+  std::map<Id, Index> numbers;
+  std::vector<Id> ids;
+  std::vector<Index> segments;
+  for (const auto f : faces(tmesh))
+  {
+    const auto [found, is_new] = numbers.emplace(get(segment_ids, f), static_cast<Index>(ids.size()));
+    if (is_new)
+      ids.push_back(found->first);
+    segments.push_back(found->second);
+  }
+  const auto surface = internal::read_surface(tmesh, np).surface.to_surface();
+  internal::check_edges_are_single(surface);
+  const internal::Smooth_borders result =
+    internal::cut_along_smooth_borders(surface, segments, ids.size(), rounds);
+  internal::write_cut_surface(tmesh, result.surface, ids, output, output_segment_ids, old_faces, np, output_np);
+  return result.number_of_fixed_segments;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_SMOOTH_SEGMENT_BORDERS_H

@@ -1,0 +1,291 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Smooth borders: lines whose lengths are known, and what every result has to be.
+
+#include "check.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/segment_borders.h>
+#include <CGAL/Protrusion_segmentation/smooth_segment_borders.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/helpers.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using namespace test_meshes;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using Labels = std::vector<std::size_t>;
+using Index = CGAL::Protrusion_segmentation::Indexed_surface::Index;
+
+struct Smoothed
+{
+  Mesh mesh;
+  Labels segments;
+  std::vector<std::size_t> old_faces;
+  std::size_t number_of_fixed_segments = 0;
+};
+
+template <typename NamedParameters>
+Smoothed smooth(const Test_mesh& soup, const Labels& labels, const NamedParameters& np)
+{
+  const Mesh mesh = to_graph<Mesh>(soup);
+  Smoothed result;
+  const auto segments = result.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
+  const auto old_faces = result.mesh.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:old").first;
+  result.number_of_fixed_segments = CGAL::smooth_segment_borders(
+    mesh, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh)), result.mesh, segments,
+    old_faces, np);
+  for (const auto f : faces(result.mesh))
+  {
+    result.segments.push_back(segments[f]);
+    result.old_faces.push_back(old_faces[f]);
+  }
+  return result;
+}
+
+Test_mesh to_soup(const Mesh& mesh)
+{
+  Test_mesh soup;
+  for (const auto v : vertices(mesh))
+    soup.add_point({mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z()});
+  for (const auto f : faces(mesh))
+  {
+    Face face;
+    for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      face.push_back(v);
+    soup.add_face(face);
+  }
+  return soup;
+}
+
+double length_of_borders(const Mesh& mesh, const Labels& labels)
+{
+  std::vector<CGAL::Protrusion_segmentation::Segment_border<Mesh::Point>> borders;
+  CGAL::segment_borders(mesh, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh)),
+                        std::back_inserter(borders));
+  double sum = 0;
+  for (const auto& border : borders)
+    sum += border.length;
+  return sum;
+}
+
+// What holds for every result: the same surface, in pieces of its faces, with the same segments.
+Smoothed checked(const Test_mesh& soup, const Labels& labels, unsigned int rounds = 3)
+{
+  const Smoothed result = smooth(soup, labels, CGAL::parameters::number_of_iterations(rounds));
+  CHECK(CGAL::is_valid_polygon_mesh(result.mesh));
+  const Test_mesh pieces = to_soup(result.mesh);
+  CHECK_EQUAL(CGAL::is_closed(result.mesh), number_of_border_edges(soup) == 0);
+  CHECK_EQUAL(euler_characteristic(pieces), euler_characteristic(soup));
+  std::vector<double> areas(soup.faces.size(), 0);
+  for (std::size_t f = 0; f < pieces.faces.size(); ++f)
+  {
+    CHECK(face_area(pieces, pieces.faces[f]) > 0);
+    areas[result.old_faces[f]] += face_area(pieces, pieces.faces[f]);
+    if (soup.faces[result.old_faces[f]].size() == 3)
+      CHECK_EQUAL(pieces.faces[f].size(), 3);
+    CHECK(f == 0 || result.old_faces[f - 1] <= result.old_faces[f]);
+  }
+  for (std::size_t f = 0; f < areas.size(); ++f)
+  {
+    const double old_area = face_area(soup, soup.faces[f]);
+    // polygons are not quite plane, and their pieces lie in other planes
+    CHECK_CLOSE(areas[f], old_area, (soup.faces[f].size() == 3 ? 1e-12 : 1e-4) * old_area);
+  }
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    CHECK(pieces.points[v] == soup.points[v]);
+  CHECK(std::set<std::size_t>(labels.begin(), labels.end()) ==
+        std::set<std::size_t>(result.segments.begin(), result.segments.end()));
+  CHECK_EQUAL(number_of_pieces(pieces, result.segments), number_of_pieces(soup, labels));
+  return result;
+}
+
+// Faces above a height that is not the same everywhere.
+Labels ragged_labels(const Test_mesh& soup, double height, double deviation)
+{
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> noise(-deviation, deviation);
+  Labels labels;
+  for (const Face& face : soup.faces)
+    labels.push_back(centroid(soup, face)[2] + noise(random) > height ? 1 : 0);
+  return labels;
+}
+
+// A cylinder with a bump at its end, cut around the cylinder: the border becomes the circle that it was before faces were
+// chosen at random.
+void a_border_around_a_cylinder_becomes_a_circle()
+{
+  const double spacing = 0.1;
+  const Test_mesh soup = triangulated(revolution(
+    Profile(spacing).arc(1, 0, -pi / 2, 0, 0).line(1, 0, 1, 3, 0).line(1, 3, 1.4, 3.4, 0).arc(1.4, 3.4, 0, pi / 2, 0),
+    slices_for(1, spacing)));
+  const Labels labels = ragged_labels(soup, 1.53, 0.03);
+  const double before = length_of_borders(to_graph<Mesh>(soup), labels);
+  CHECK(before > 1.2 * 2 * pi);
+  double last = before;
+  for (unsigned int rounds : {3, 10, 30})
+  {
+    const Smoothed result = checked(soup, labels, rounds);
+    CHECK_EQUAL(result.number_of_fixed_segments, 0);
+    const double length = length_of_borders(result.mesh, result.segments);
+    CHECK(length < last);
+    last = length;
+    CHECK_CLOSE(length, 2 * pi, (rounds == 3 ? 0.03 : 0.01) * 2 * pi);
+  }
+}
+
+// On a sphere, faces are about as wide as they are high, and lie in no rows.
+void a_border_around_a_ball_becomes_a_circle()
+{
+  const Test_mesh soup = icosphere(4);
+  const Labels labels = ragged_labels(soup, 0.1, 0);
+  const double circle = 2 * pi * std::sqrt(1 - 0.01);
+  CHECK(length_of_borders(to_graph<Mesh>(soup), labels) > 1.1 * circle);
+  const Smoothed result = checked(soup, labels);
+  CHECK_CLOSE(length_of_borders(result.mesh, result.segments), circle, 0.03 * circle);
+}
+
+// Three segments and six, which meet at the poles.
+void segments_may_meet_in_a_point()
+{
+  for (const Test_mesh& soup : {icosphere(4), rotated(icosphere(3), {1, 2, 3}, 0.7), triangulated(uv_sphere()), uv_sphere()})
+    for (const int number : {3, 6})
+    {
+      Labels labels;
+      for (const Face& face : soup.faces)
+      {
+        const Point c = centroid(soup, face);
+        labels.push_back(std::min<std::size_t>(std::size_t(number) - 1,
+                                               std::size_t((std::atan2(c[1], c[0]) / pi + 1) / 2 * number)));
+      }
+      const Smoothed result = checked(soup, labels);
+      const double ratio = length_of_borders(result.mesh, result.segments) /
+                           length_of_borders(to_graph<Mesh>(soup), labels);
+      // meridians are as short as can be; their new ends lie around the pole, which is in one of the segments
+      check::report(ratio < 1.03, __FILE__, __LINE__,
+                    std::to_string(number) + " segments, " + std::to_string(soup.faces.size()) +
+                      " faces: borders get longer, times " + std::to_string(ratio));
+    }
+}
+
+void polygons_are_cut()
+{
+  for (const Test_mesh& soup : {football(), dodecahedron(), dual(icosphere(3)), box(4, 4, 4)})
+    checked(soup, ragged_labels(soup, 0.1, 0));
+}
+
+void open_meshes_stay_open()
+{
+  const Test_mesh soup = triangulated(sheet(20, 20));
+  Labels labels;
+  for (const Face& face : soup.faces)
+    labels.push_back(centroid(soup, face)[0] + centroid(soup, face)[1] > 20.4 ? 1 : 0);
+  const Smoothed result = checked(soup, labels);
+  const double length = length_of_borders(result.mesh, result.segments); // its ends bend towards the boundary
+  CHECK(length > 0.94 * 19.6 * std::sqrt(2.) && length < 1.001 * 19.6 * std::sqrt(2.));
+}
+
+// A single face, and a row of faces, are no more than a triangle wide.
+void thin_segments_keep_their_faces()
+{
+  const Test_mesh soup = icosphere(3);
+  Labels labels = ragged_labels(soup, 0.1, 0);
+  const auto lowest = std::min_element(soup.faces.begin(), soup.faces.end(), [&](const Face& f, const Face& g)
+                                       { return centroid(soup, f)[2] < centroid(soup, g)[2]; });
+  labels[std::size_t(lowest - soup.faces.begin())] = 2;
+  const Smoothed result = checked(soup, labels, 20);
+  CHECK_EQUAL(result.number_of_fixed_segments, 1);
+  for (std::size_t f = 0; f < result.segments.size(); ++f)
+    CHECK_EQUAL(result.segments[f] == 2, labels[result.old_faces[f]] == 2);
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    if (std::abs(centroid(soup, soup.faces[f])[2] + 0.6) < 0.04)
+      labels[f] = 3;
+  CHECK(checked(soup, labels, 20).number_of_fixed_segments >= 2);
+}
+
+// Segments need not hang together, ids need not be consecutive, and a mesh may be in one segment.
+void any_labels_are_accepted()
+{
+  const Test_mesh soup = merged({icosphere(3), translated(icosphere(3), {5, 0, 0})});
+  Labels labels = ragged_labels(soup, 0.1, 0);
+  for (std::size_t& label : labels)
+    label = label == 1 ? 1000000 : 17;
+  checked(soup, labels);
+  const Smoothed one = checked(soup, Labels(soup.faces.size(), 5));
+  CHECK_EQUAL(one.segments.size(), soup.faces.size());
+  std::mt19937 random(3);
+  for (std::size_t& label : labels)
+    label = random() % 3;
+  checked(soup, labels);
+}
+
+void no_iteration_leaves_all_as_it_is()
+{
+  const Test_mesh soup = icosphere(3);
+  const Labels labels = ragged_labels(soup, 0.1, 0);
+  const Smoothed result = checked(soup, labels, 0);
+  CHECK(result.segments == labels);
+  CHECK_EQUAL(result.number_of_fixed_segments, 2);
+}
+
+// Faces without area, and coordinates near the ends of what a double can be.
+void coordinates_may_be_awkward()
+{
+  Test_mesh flat = icosphere(3);
+  const Labels labels = ragged_labels(flat, 0.1, 0);
+  for (const double factor : {1e-300, 1e300})
+  {
+    const Smoothed result = smooth(scaled(flat, factor), labels, CGAL::parameters::number_of_iterations(3));
+    CHECK(CGAL::is_valid_polygon_mesh(result.mesh));
+    CHECK_EQUAL(result.number_of_fixed_segments, 0);
+  }
+  flat.points[3] = flat.points[flat.faces[0][0]];
+  for (Point& point : flat.points)
+    point[0] = 0;
+  const Smoothed result = smooth(flat, labels, CGAL::parameters::default_values());
+  CHECK(CGAL::is_valid_polygon_mesh(result.mesh));
+}
+
+void bad_input_is_refused()
+{
+  Test_mesh soup = icosphere(1);
+  const Labels labels = ragged_labels(soup, 0.1, 0);
+  CHECK_THROWS_WITH(smooth(soup, labels, CGAL::parameters::number_of_iterations(-1)), std::invalid_argument,
+                    "number_of_iterations is -1");
+  soup.points[2][1] = std::numeric_limits<double>::quiet_NaN();
+  CHECK_THROWS_WITH(smooth(soup, labels, CGAL::parameters::default_values()), std::invalid_argument, "not finite");
+  // two triangles with an edge in the same direction
+  const CGAL::Protrusion_segmentation::Indexed_surface surface(
+    {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 3, 6}, {0, 1, 2, 0, 1, 3}, std::vector<Index>(6, CGAL::Protrusion_segmentation::Indexed_surface::no_face()));
+  CHECK_THROWS_WITH(CGAL::Protrusion_segmentation::internal::check_edges_are_single(surface), std::invalid_argument,
+                    "two edges");
+}
+
+int main()
+{
+  a_border_around_a_cylinder_becomes_a_circle();
+  a_border_around_a_ball_becomes_a_circle();
+  segments_may_meet_in_a_point();
+  polygons_are_cut();
+  open_meshes_stay_open();
+  thin_segments_keep_their_faces();
+  any_labels_are_accepted();
+  no_iteration_leaves_all_as_it_is();
+  coordinates_may_be_awkward();
+  bad_input_is_refused();
+  return check::result();
+}

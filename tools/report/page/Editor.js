@@ -1,0 +1,90 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is changed by hand: cuts that are taken back, names of segments, picked tips. Every change can be undone.
+
+"use strict";
+
+class Editor
+{
+  constructor(model, onChange)
+  {
+    this.model = model;
+    this.onChange = onChange;
+    this.names = new Map(); // of segments
+    this.tips = []; // faces
+    this.history = [];
+  }
+
+  state() { return {joined: new Set(this.model.joined), names: new Map(this.names), tips: [...this.tips]}; }
+
+  change(make)
+  {
+    const before = this.state();
+    make();
+    this.history.push(before);
+    this.onChange();
+  }
+
+  canUndo() { return this.history.length > 0; }
+
+  undo()
+  {
+    const before = this.history.pop();
+    if (before === undefined)
+      return;
+    this.names = before.names;
+    this.tips = before.tips;
+    this.model.setJoined(before.joined);
+    this.onChange();
+  }
+
+  setLevel(numberOfSegments) { this.change(() => this.model.setLevel(numberOfSegments)); }
+
+  canMerge(segment) { return this.model.protrusions.has(segment) && this.model.isShown(segment); }
+
+  // Gives a protrusion to what it sticks out of.
+  merge(segment)
+  {
+    if (this.canMerge(segment))
+      this.change(() => this.model.setJoined(new Set([...this.model.joined, segment])));
+  }
+
+  rename(segment, name)
+  {
+    this.change(() => name === "" ? this.names.delete(segment) : this.names.set(segment, name));
+  }
+
+  // Once more takes it away.
+  pick(face)
+  {
+    this.change(() =>
+    {
+      const place = this.tips.indexOf(face);
+      if (place < 0)
+        this.tips.push(face);
+      else
+        this.tips.splice(place, 1);
+    });
+  }
+
+  segmentFromTips() { this.change(() => this.model.setTips(this.tips)); }
+
+  nameOf(segment)
+  {
+    return this.names.get(segment) ?? (segment < this.model.minimum ? `${segment}: body` : `${segment}`);
+  }
+
+  // As `segment_by_protrusions --tips` reads it: the picked tips or, without any, those of the shown protrusions.
+  tipsText()
+  {
+    const numbers = this.model.savedNumbers();
+    const shown = this.model.shownSegments();
+    const tips = this.tips.length > 0 ? this.tips
+                                      : shown.map(s => this.model.tip(s)).filter(face => face !== undefined);
+    const named = shown.filter(s => this.names.has(s));
+    const names = named.map(s => ({segment: numbers.get(s), name: this.names.get(s)}));
+    return JSON.stringify({input: this.model.data.input, tips, names}, null, 2) + "\n";
+  }
+}
