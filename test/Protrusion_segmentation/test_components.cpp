@@ -30,7 +30,7 @@ Segmentation segmentation(const Test_mesh& soup, std::size_t k)
 // With arms of different lengths, so that no two cuts tie.
 const Test_mesh& figure()
 {
-  static const Test_mesh mesh = star(5, 2, 0.25, 0.1, 0.3);
+  static const Test_mesh mesh = star(5, 2, 0.25, 0.1, 0.2);
   return mesh;
 }
 
