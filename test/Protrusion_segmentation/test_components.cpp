@@ -12,6 +12,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <random>
+
 using namespace test_meshes;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
@@ -108,6 +110,26 @@ void a_floor_is_one_segment_and_changes_nothing()
   }
 }
 
+// Wherever components lie, and whatever lies beside them, not a face changes.
+void what_lies_beside_and_where_does_not_matter()
+{
+  std::mt19937 random(5);
+  const auto coordinate = [&random]() { return 100 * (static_cast<double>(random()) / 4294967296. - 0.5); };
+  for (const std::uint_fast32_t seed : {1, 2, 3})
+  {
+    const Test_mesh mesh = jittered(figure(), 0.02, seed);
+    const Segmentation one = segmentation(mesh);
+    std::vector<Test_mesh> copies;
+    for (std::size_t i = 0; i < 3; ++i)
+      copies.push_back(translated(mesh, {coordinate(), coordinate(), coordinate()}));
+    copies.push_back(translated(sheet(7, 5, 30, 20), {coordinate(), coordinate(), coordinate()}));
+    const Segmentation found = segmentation(merged(copies));
+    CHECK_EQUAL(found.number, 3 * one.number + 1);
+    for (std::size_t i = 0; i < 3; ++i)
+      CHECK(partition_of_copy(found.labels, i, one.labels.size()) == as_partition(one.labels));
+  }
+}
+
 // The share of the area in faces on which two partitions agree, segments paired by their largest overlap.
 double agreement(const Test_mesh& mesh, const Labels& a, const Labels& b)
 {
@@ -163,6 +185,7 @@ int main()
   copies_side_by_side_are_segmented_alike();
   every_copy_gets_its_share();
   a_floor_is_one_segment_and_changes_nothing();
+  what_lies_beside_and_where_does_not_matter();
   a_mirror_image_is_segmented_as_its_original();
   scale_does_not_matter();
   the_order_of_the_faces_does_not_matter();

@@ -13,7 +13,9 @@
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/Next_segment.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
 
 #include <algorithm>
@@ -45,14 +47,15 @@ public:
     : m_surface(surface), m_execution(execution), m_policy(policy), m_components(surface)
   {
     const std::size_t n = m_components.number_of_components();
+    Face_selector<Indexed_surface> select(surface);
     for (std::size_t c = 0; c < n; ++c)
     {
       const Execution::Subtask subtask(execution, preparation_share * static_cast<double>(c) / static_cast<double>(n),
                                        preparation_share * static_cast<double>(c + 1) / static_cast<double>(n));
       if (n > 1)
-        m_surfaces.push_back(Segment_extractor(surface)(m_components.faces(c)).surface);
-      m_cuts.push_back(std::make_unique<Component_cuts>(n > 1 ? m_surfaces.back() : surface, distance, execution,
-                                                        policy));
+        m_surfaces.push_back(surface_of_its_own(select(m_components.faces(c), [](Index) {})));
+      m_cuts.push_back(std::make_unique<Component_cuts>(n > 1 ? m_surfaces.back().surface() : surface, distance,
+                                                        execution, policy));
     }
     m_sets.resize(n);
   }
@@ -93,11 +96,15 @@ public:
     const Execution::Subtask subtask(m_execution, preparation_share, 1);
     std::vector<std::vector<Index>> tips(m_cuts.size());
     for (Index tip : distinct_tips(m_surface, given_tips))
-      tips[m_components.labels()[tip]].push_back(number_in_component(tip));
+    {
+      const Nested_segments::Faces& faces = m_components.faces(m_components.labels()[tip]);
+      const auto position = std::lower_bound(faces.begin(), faces.end(), tip) - faces.begin();
+      tips[m_components.labels()[tip]].push_back(static_cast<Index>(position));
+    }
     for (std::size_t c = 0; c < m_cuts.size(); ++c)
     {
       const Next_segment progress(m_execution, c, m_cuts.size());
-      m_sets[c] = m_cuts[c]->cuts_of_tips(tips[c]);
+      m_sets[c] = m_cuts[c]->cuts_of_tips(m_surfaces.empty() ? tips[c] : m_surfaces[c].faces_at(tips[c]));
     }
     return finish();
   }
@@ -137,10 +144,25 @@ private:
     return best;
   }
 
-  Index number_in_component(Index face) const
+  // In the coordinates and the order of faces that a component has in a mesh of its own: sums are rounded alike then,
+  // and ties decided alike.
+  Canonical_surface surface_of_its_own(Surface_arrays arrays) const
   {
-    const Nested_segments::Faces& faces = m_components.faces(m_components.labels()[face]);
-    return static_cast<Index>(std::lower_bound(faces.begin(), faces.end(), face) - faces.begin());
+    const double unit = normalize(arrays.points);
+    return Canonical_surface(std::move(arrays), unit, m_execution.is_parallel());
+  }
+
+  // The face of the whole surface for every face of a component.
+  Nested_segments::Faces faces_of_component(std::size_t c) const
+  {
+    Nested_segments::Faces faces = m_components.faces(c);
+    if (m_surfaces.empty())
+      return faces;
+    Nested_segments::Faces result;
+    result.reserve(faces.size());
+    for (Index position : m_surfaces[c].positions())
+      result.push_back(faces[position]);
+    return result;
   }
 
   // Puts the components together again: bodies first, then the protrusions of one component after the other.
@@ -156,12 +178,16 @@ private:
       const Component_segments segments(*m_cuts[c], m_sets[c], m_policy, m_execution);
       const Index first = static_cast<Index>(parents.size()) - 1; // plus the number of a protrusion
       const auto id = [first, c](std::size_t s) { return s == 0 ? c : static_cast<Index>(first + s); };
-      const Nested_segments::Faces& faces = m_components.faces(c);
+      const Nested_segments::Faces faces = faces_of_component(c);
+      const double unit = m_surfaces.empty() ? 1 : m_surfaces[c].unit();
       for (Index f = 0; f < faces.size(); ++f)
         labels[faces[f]] = id(segments.labels()[f]);
       for (Protrusion<Index>& protrusion : segments.protrusions())
       {
         protrusion.tip = faces[protrusion.tip];
+        protrusion.border_distance *= unit;
+        protrusion.border_length *= unit;
+        protrusion.area *= unit * unit;
         protrusion.segment = id(protrusion.segment);
         protrusion.parent = id(protrusion.parent);
         parents.push_back(static_cast<Index>(protrusion.parent));
@@ -187,7 +213,7 @@ private:
   Execution& m_execution;
   const Cut_policy& m_policy;
   Nested_segments m_components;
-  std::deque<Indexed_surface> m_surfaces;             // of the components, if there are several
+  std::deque<Canonical_surface> m_surfaces;           // of the components, if there are several
   std::vector<std::unique_ptr<Component_cuts>> m_cuts; // of the components
   std::vector<Cut_set> m_sets;                        // of the components, as chosen
 };

@@ -7,8 +7,8 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 
-#include <CGAL/Bbox_3.h>
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
@@ -34,35 +34,6 @@ struct Arrays_of_mesh
   Surface_arrays surface;
   double unit = 1;
 };
-// Moves the box of the points to the origin and scales it by a power of two to [-1, 1]^3; returns the
-// factor back. A power of two changes no digit, so that a mesh scaled by two gives the same numbers.
-// The first scaling keeps the subtraction of coordinates near the largest double from overflowing. Only there
-// the result fills [-2, 2]^3: the factor 2^1024 would be no double.
-inline double normalize(std::vector<Indexed_surface::Point_3>& points)
-{
-  int exponent = 0;
-  const auto scale_by_largest = [&points, &exponent]()
-  {
-    double largest = 0;
-    for (const Indexed_surface::Point_3& p : points)
-      largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-    int e = 0;
-    std::frexp(largest, &e);
-    e = (std::min)(e, std::numeric_limits<double>::max_exponent - 1 - exponent);
-    for (Indexed_surface::Point_3& p : points)
-      p = {std::ldexp(p.x(), -e), std::ldexp(p.y(), -e), std::ldexp(p.z(), -e)};
-    exponent += e;
-  };
-
-  scale_by_largest();
-  const Bbox_3 box = bbox_3(points.begin(), points.end());
-  const Indexed_surface::Vector_3 centre((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
-                                      (box.zmin() + box.zmax()) / 2);
-  for (Indexed_surface::Point_3& p : points)
-    p = p - centre;
-  scale_by_largest();
-  return std::ldexp(1., exponent);
-}
 
 // Numbers the vertices that have a face, in the order of `vertices(mesh)`, and returns their coordinates.
 // Isolated vertices are no part of the surface: a far one would make the rest of the mesh tiny.
