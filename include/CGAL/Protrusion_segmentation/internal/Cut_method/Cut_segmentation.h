@@ -47,13 +47,15 @@ public:
     : m_surface(surface), m_execution(execution), m_policy(policy), m_components(surface)
   {
     const std::size_t n = m_components.number_of_components();
-    Face_selector<Indexed_surface> select(surface);
+    std::optional<Face_selector<Indexed_surface>> select; // as large as the surface, which may be the only component
+    if (n > 1)
+      select.emplace(surface);
     for (std::size_t c = 0; c < n; ++c)
     {
       const Execution::Subtask subtask(execution, preparation_share * static_cast<double>(c) / static_cast<double>(n),
                                        preparation_share * static_cast<double>(c + 1) / static_cast<double>(n));
       if (n > 1)
-        m_surfaces.push_back(surface_of_its_own(select(m_components.faces(c), [](Index) {})));
+        m_surfaces.push_back(surface_of_its_own((*select)(m_components.faces(c), [](Index) {})));
       m_cuts.push_back(std::make_unique<Component_cuts>(n > 1 ? m_surfaces.back().surface() : surface, distance,
                                                         execution, policy));
     }
@@ -152,17 +154,10 @@ private:
     return Canonical_surface(std::move(arrays), unit, m_execution.is_parallel());
   }
 
-  // The face of the whole surface for every face of a component.
-  Nested_segments::Faces faces_of_component(std::size_t c) const
+  // The face of the whole surface for a face of a component.
+  Index face_of_surface(std::size_t c, std::size_t face) const
   {
-    Nested_segments::Faces faces = m_components.faces(c);
-    if (m_surfaces.empty())
-      return faces;
-    Nested_segments::Faces result;
-    result.reserve(faces.size());
-    for (Index position : m_surfaces[c].positions())
-      result.push_back(faces[position]);
-    return result;
+    return m_components.faces(c)[m_surfaces.empty() ? face : m_surfaces[c].positions()[face]];
   }
 
   // Puts the components together again: bodies first, then the protrusions of one component after the other.
@@ -178,13 +173,12 @@ private:
       const Component_segments segments(*m_cuts[c], m_sets[c], m_policy, m_execution);
       const Index first = static_cast<Index>(parents.size()) - 1; // plus the number of a protrusion
       const auto id = [first, c](std::size_t s) { return s == 0 ? c : static_cast<Index>(first + s); };
-      const Nested_segments::Faces faces = faces_of_component(c);
       const double unit = m_surfaces.empty() ? 1 : m_surfaces[c].unit();
-      for (Index f = 0; f < faces.size(); ++f)
-        labels[faces[f]] = id(segments.labels()[f]);
+      for (std::size_t f = 0; f < segments.labels().size(); ++f)
+        labels[face_of_surface(c, f)] = id(segments.labels()[f]);
       for (Protrusion<Index>& protrusion : segments.protrusions())
       {
-        protrusion.tip = faces[protrusion.tip];
+        protrusion.tip = face_of_surface(c, protrusion.tip);
         protrusion.border_distance *= unit;
         protrusion.border_length *= unit;
         protrusion.area *= unit * unit;
