@@ -15,6 +15,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_coarse_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/straighten_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 #include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
@@ -42,6 +43,7 @@ struct Cut_graphs
     const Stage_scope stage(execution.observer(), Stage::PREPARATION);
     fine = make_weighted_dual_graph(surface, policy, execution);
     coarse = make_coarse_graph(fine, execution);
+    straighten_borders(surface, fine, coarse.node, coarse.graph, execution.is_parallel());
     measure_volumes(surface, coarse.node, coarse.graph, execution.is_parallel());
     // only the coarse graph is made of these: a third of the memory of the surface
     decltype(fine.centre)().swap(fine.centre);

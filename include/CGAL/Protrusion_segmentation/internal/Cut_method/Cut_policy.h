@@ -62,7 +62,7 @@ public:
   // better than several. The weights come from a fit over the candidate cuts, rounded.
   virtual double probability(const Cut_clues& clues) const
   {
-    constexpr double bias = -1.2;
+    constexpr double bias = -1.45;
     constexpr double concave_share_weight = 6;
     constexpr double relative_length_weight = -3.2;
     constexpr double segment_size_weight = 1;

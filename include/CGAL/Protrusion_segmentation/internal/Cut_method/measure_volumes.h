@@ -34,6 +34,7 @@ inline void measure_volumes(const Indexed_surface& surface,
 
   graph.border_area.assign(graph.target.size(), Vector_3(0, 0, 0));
   graph.border_moment.assign(graph.target.size(), Vector_3(0, 0, 0));
+  std::vector<double> lengths(graph.target.size(), 0);
   graph.area_vector.assign(graph.number_of_nodes(), Vector_3(0, 0, 0));
   graph.flux.assign(graph.number_of_nodes(), 0);
   const auto add_corner = [&](Index f, Index c)
@@ -46,7 +47,9 @@ inline void measure_volumes(const Indexed_surface& surface,
     const Vector_3 a = position(surface.point(surface.vertex(c)));
     const Vector_3 b = position(surface.point(surface.vertex(surface.next_corner(f, c))));
     graph.border_area[arc] += cross_product(a, b) / 2;
-    graph.border_moment[arc] += std::sqrt((b - a).squared_length()) * (a + b) / 2;
+    const double length = std::sqrt((b - a).squared_length());
+    graph.border_moment[arc] += length * (a + b) / 2;
+    lengths[arc] += length;
   };
   const Index_groups faces(node, graph.number_of_nodes());
   for_each_index(graph.number_of_nodes(), is_parallel,
@@ -60,6 +63,9 @@ inline void measure_volumes(const Indexed_surface& surface,
                      for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
                        add_corner(f, c);
                    }
+                   for (Index arc : graph.arcs(static_cast<Index>(i)))
+                     if (lengths[arc] > 0) // straight borders are shorter than their edges
+                       graph.border_moment[arc] = graph.border_moment[arc] * (graph.border_length[arc] / lengths[arc]);
                  });
 }
 
