@@ -233,8 +233,12 @@ test_closed_parts()
     volume_of faired_$method/[0-5].off >/dev/null || fail "$command: a part is not closed"
     cmp -s closed_$method/1.off faired_$method/1.off && fail "$command: the caps are flat"
     rm -r faired_$method
+    [ -s stderr ] && fail "$command: a note on a closed mesh"
     rm -r closed_$method open_$method
   done
+  expect 0 "$segment" $data/open_sheet.off --close -o closed_sheet/%d.off
+  expect_text stderr "meshes of segments stay open"
+  rm -r closed_sheet
 }
 
 # Where three.js was not found at build time, that is said, and nothing is written.
