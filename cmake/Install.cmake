@@ -37,7 +37,7 @@ function(protrusion_install_debian_documents folder)
   install(FILES cmake/debian/copyright ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${folder} ${ARGN})
 endfunction()
 protrusion_install_debian_documents(${documentation_folder})
-if(TARGET protrusion_segmentation_python)
+if(TARGET protrusion_segmentation_python AND NOT PROTRUSION_SEGMENTATION_PYTHON_FOLDER STREQUAL ".")
   protrusion_install_debian_documents(${CMAKE_INSTALL_DATAROOTDIR}/doc/python3-protrusion-segmentation
     COMPONENT python EXCLUDE_FROM_ALL)
 endif()
