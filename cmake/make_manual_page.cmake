@@ -33,5 +33,6 @@ file(WRITE ${OUTPUT} ".TH ${title} 1 \"\" \"Protrusion_segmentation ${VERSION}\"
 ${NAME} \\- ${first_letter}${purpose}
 .SH Synopsis
 ${usage}${rest}.SH See also
-The manual and examples in /usr/share/doc/protrusion\\-segmentation, where it is installed as a Debian package.
+Where it is installed as a Debian package, examples in C++ are in /usr/share/doc/protrusion\\-segmentation/examples, and
+the manual is the package protrusion\\-segmentation\\-doc.
 ")
