@@ -21,11 +21,14 @@ endif()
 
 run(dpkg-deb --extract ${packages} ${WORK_FOLDER}/root)
 foreach(file
-        bin/segment_by_protrusions bin/evaluate_segmentation
+        bin/segment_by_protrusions bin/evaluate_segmentation bin/make_example_mesh
+        share/man/man1/segment_by_protrusions.1.gz share/man/man1/evaluate_segmentation.1.gz
+        share/man/man1/make_example_mesh.1.gz
         include/CGAL/protrusion_segmentation.h include/CGAL/segmentation_metrics.h include/CGAL/IO/SEG.h
         include/CGAL/Protrusion_segmentation/Minimum_cut_method.h
         include/CGAL/Protrusion_segmentation/internal/segment_mesh.h
-        share/doc/protrusion-segmentation/copyright)
+        share/doc/protrusion-segmentation/copyright share/doc/protrusion-segmentation/changelog.gz
+        share/doc/protrusion-segmentation/examples/protrusion_segmentation_example.cpp)
   if(NOT EXISTS ${WORK_FOLDER}/root/usr/${file})
     message(FATAL_ERROR "The package has no /usr/${file}")
   endif()
@@ -42,7 +45,15 @@ foreach(library libcgal-dev libc6 libgmp10 libstdc++6)
     message(FATAL_ERROR "The package does not depend on ${library}, but on ${depends}")
   endif()
 endforeach()
-run(${WORK_FOLDER}/root/usr/bin/segment_by_protrusions --help)
+foreach(program segment_by_protrusions evaluate_segmentation make_example_mesh)
+  execute_process(COMMAND gzip -dc ${WORK_FOLDER}/root/usr/share/man/man1/${program}.1.gz OUTPUT_VARIABLE page)
+  if(NOT page MATCHES "\n\\.SH Name\n${program} [^\n]*\n\\.SH Synopsis\n.*\n\\.SH Options\n\\.TP\n\\.B ")
+    message(FATAL_ERROR "The manual page of ${program} is not one:\n${page}")
+  endif()
+endforeach()
+# as a new user would, from the package alone
+run(${WORK_FOLDER}/root/usr/bin/make_example_mesh teddy ${WORK_FOLDER}/teddy.off --faces 2000)
+run(${WORK_FOLDER}/root/usr/bin/segment_by_protrusions ${WORK_FOLDER}/teddy.off -o ${WORK_FOLDER}/teddy.seg)
 
 if(NOT PYTHON)
   return()
@@ -51,8 +62,9 @@ run(dpkg-deb --extract ${python_package} ${WORK_FOLDER}/python_root)
 set(module_folder ${WORK_FOLDER}/python_root/usr/lib/python3/dist-packages)
 run(${CMAKE_COMMAND} -E env PYTHONPATH=${module_folder} PYTHONDONTWRITEBYTECODE=1 ${PYTHON} -c
     "from protrusion_segmentation import segment\nassert list(segment([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])) == [0]")
-foreach(file py.typed _core.pyi)
-  if(NOT EXISTS ${module_folder}/protrusion_segmentation/${file})
+foreach(file ${module_folder}/protrusion_segmentation/py.typed ${module_folder}/protrusion_segmentation/_core.pyi
+        ${WORK_FOLDER}/python_root/usr/share/doc/python3-protrusion-segmentation/examples/label_with_meshio.py)
+  if(NOT EXISTS ${file})
     message(FATAL_ERROR "The package of the module has no ${file}")
   endif()
 endforeach()

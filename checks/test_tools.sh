@@ -153,9 +153,9 @@ test_outputs()
   local in=outputs/teddy.off
   expect 0 "$make_mesh" teddy $in --faces 3000
   expect 0 "$segment" $in -k 4 --method paper -o outputs/a.ply -o outputs/a.off -o outputs/a.seg -o outputs/parts/%d.ply \
-           -o outputs/parts/part%d.off -o outputs/a.glb -o outputs/a.vtp --json outputs/a.json
+           -o outputs/parts/part%d.off -o outputs/a.glb -o outputs/a.vtp -o outputs/a.obj --json outputs/a.json
   expect_text stdout "4 segments"
-  expect_files outputs teddy.off a.ply a.off a.seg a.glb a.vtp a.json parts parts/{0,1,2,3}.ply parts/part{0,1,2,3}.off
+  expect_files outputs teddy.off a.ply a.off a.seg a.glb a.vtp a.obj a.json parts parts/{0,1,2,3}.ply parts/part{0,1,2,3}.off
   local faces
   faces=$(sed -n 2p $in | cut -d' ' -f2)
   [ "$(wc -l <outputs/a.seg)" = "$faces" ] || fail "a.seg has not one line per face"
@@ -167,6 +167,8 @@ test_outputs()
   expect_text outputs/a.vtp "NumberOfPolys=\"$faces\""
   [ "$(sed -n '/Name="segment"/,/DataArray>/p' outputs/a.vtp | grep -v DataArray)" = "$(cat outputs/a.seg)" ] ||
     fail "a.vtp has other segments than a.seg"
+  [ "$(awk '/^g segment_/ { id = substr($2, 9) } /^f / { print id }' outputs/a.obj)" = "$(cat outputs/a.seg)" ] ||
+    fail "a.obj has other segments than a.seg"
   [ "$(head -c 4 outputs/a.glb)" = glTF ] || fail "a.glb is no binary glTF"
   [ "$(od -An -t u4 -j 8 -N 4 outputs/a.glb | tr -d ' ')" = "$(stat -c %s outputs/a.glb)" ] ||
     fail "a.glb has another length than its header says"
@@ -182,7 +184,7 @@ test_outputs()
   done
 
   # What was written can be read, and says the same.
-  for mesh in outputs/a.ply outputs/a.off; do
+  for mesh in outputs/a.ply outputs/a.off outputs/a.obj; do
     expect 0 "$evaluate" $mesh outputs/a.seg outputs/a.seg
   done
   for part in outputs/parts/*; do
@@ -233,8 +235,12 @@ test_closed_parts()
     volume_of faired_$method/[0-5].off >/dev/null || fail "$command: a part is not closed"
     cmp -s closed_$method/1.off faired_$method/1.off && fail "$command: the caps are flat"
     rm -r faired_$method
+    [ -s stderr ] && fail "$command: a note on a closed mesh"
     rm -r closed_$method open_$method
   done
+  expect 0 "$segment" $data/open_sheet.off --close -o closed_sheet/%d.off
+  expect_text stderr "meshes of segments stay open"
+  rm -r closed_sheet
 }
 
 # Where three.js was not found at build time, that is said, and nothing is written.

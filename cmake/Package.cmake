@@ -1,9 +1,9 @@
-# `cpack` makes a Debian package of the headers and the command line tools, and one of the Python module if that is built.
+# `cpack` makes a Debian package of the headers, the command line tools and the examples; one of the Python module if that is
+# built; and one of the manuals if PROTRUSION_SEGMENTATION_BUILD_DOC is set.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME protrusion-segmentation)
 set(CPACK_PACKAGE_VENDOR "The Protrusion_segmentation authors")
-set(CPACK_PACKAGE_CONTACT "The Protrusion_segmentation authors")
 file(READ package_info/Protrusion_segmentation/long_description.txt CPACK_PACKAGE_DESCRIPTION)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_STRIP_FILES ON)
@@ -30,5 +30,13 @@ if(TARGET protrusion_segmentation_python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${minor}), python3 (<< 3.${next_minor}), python3-numpy")
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
+endif()
+
+if(PROTRUSION_SEGMENTATION_BUILD_DOC)
+  list(APPEND CPACK_COMPONENTS_ALL doc)
+  set(CPACK_DEBIAN_DOC_PACKAGE_NAME protrusion-segmentation-doc)
+  set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)
+  set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
+  set(CPACK_COMPONENT_DOC_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
 endif()
 include(CPack)

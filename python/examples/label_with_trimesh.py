@@ -13,7 +13,8 @@ import protrusion_segmentation
 def label(mesh: trimesh.Trimesh) -> None:
     labels = protrusion_segmentation.segment(mesh.vertices, mesh.faces)
     mesh.face_attributes["segment"] = labels
-    mesh.visual.face_colors = trimesh.visual.interpolate(labels, color_map="viridis")
+    colors = trimesh.visual.interpolate(labels, color_map="viridis")
+    mesh.visual = trimesh.visual.ColorVisuals(mesh, face_colors=colors)  # in place of a texture, if there is one
 
 
 if __name__ == "__main__":

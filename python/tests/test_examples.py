@@ -5,7 +5,9 @@
 
 import re
 import runpy
+import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -39,6 +41,36 @@ def test_trimesh():
     example("label_with_trimesh.py")(mesh)
     assert (mesh.face_attributes["segment"] == LABELS).all()
     assert len(np.unique(mesh.visual.face_colors, axis=0)) == LABELS.max() + 1
+
+
+def test_trimesh_with_texture():
+    trimesh = pytest.importorskip("trimesh")
+    mesh = trimesh.Trimesh(POINTS, TRIANGLES, process=False, visual=trimesh.visual.TextureVisuals(uv=POINTS[:, :2]))
+    example("label_with_trimesh.py")(mesh)
+    assert len(np.unique(mesh.visual.face_colors, axis=0)) == LABELS.max() + 1
+
+
+def test_stand_in_for_trimesh(monkeypatch):
+    """Runs where trimesh is not there: with objects that have what the example uses, and no more."""
+    visual = SimpleNamespace(
+        interpolate=lambda values, color_map: [(color_map, value) for value in values],
+        ColorVisuals=lambda mesh, face_colors: SimpleNamespace(mesh=mesh, face_colors=face_colors),
+    )
+    monkeypatch.setitem(sys.modules, "trimesh", SimpleNamespace(Trimesh=SimpleNamespace, visual=visual))
+    mesh = SimpleNamespace(vertices=POINTS, faces=TRIANGLES, face_attributes={}, visual=None)
+    example("label_with_trimesh.py")(mesh)
+    assert (mesh.face_attributes["segment"] == LABELS).all()
+    assert mesh.visual.mesh is mesh
+    assert mesh.visual.face_colors == [("viridis", label) for label in LABELS]
+
+
+def test_stand_in_for_pyvista(monkeypatch):
+    """The same for pyvista."""
+    monkeypatch.setitem(sys.modules, "pyvista", SimpleNamespace(PolyData=SimpleNamespace))
+    mesh = SimpleNamespace(points=POINTS.astype(np.float32), irregular_faces=tuple(TRIANGLES), cell_data={})
+    example("label_with_pyvista.py")(mesh)
+    assert mesh.cell_data["segment"].shape == LABELS.shape
+    assert len(np.unique(mesh.cell_data["segment"])) == LABELS.max() + 1
 
 
 def test_pyvista():

@@ -4,12 +4,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the figures of the user manual from the output of the package's own tools.
 
-    scripts/manual/make_figures.py FOLDER [--only NAME...]
+    scripts/manual/make_figures.py FOLDER [--spot FILE] [--only NAME...]
 
 FOLDER, or a folder in it, holds the programs segment_by_protrusions and make_example_mesh, for instance
 build/demo. Needed besides, all from Debian: f3d and xvfb, which
 render the pictures, imagemagick, which makes them brighter and small, and chromium, which shows the
-page of --report.
+page of --report. FILE is the triangle mesh of Spot, the cow by Keenan Crane (public domain, CC0), which is no part of the
+package: without it the figure `gallery` is not made.
 """
 
 import argparse
@@ -29,10 +30,12 @@ FACES = 16000
 SHAPES = {
     "octopus": (9, (7, -6, 6)),
     "teddy": (8, (8, -3, 1.5)),
-    "hand": (7, (9, -1, 1)),
+    "hand": (6, (9, -1, 1)),
     "horse": (7, (4, -9, 1.5)),
     "chair": (6, (7, -5, 3)),
+    "spot": (9, (-3, 4, 1.2)),
 }
+OWN_SHAPES = [shape for shape in SHAPES if shape != "spot"]
 PLAIN = (205, 205, 200)
 RED, BLUE, ORANGE = (200, 40, 40), (60, 110, 190), (235, 150, 40)
 # one colour for each group of ten slots, from near to far
@@ -237,12 +240,15 @@ def write_histogram(name, values, slot, title, label):
 class Workshop:
     """Runs the tools and keeps what they made."""
 
-    def __init__(self, programs, folder):
+    def __init__(self, programs, folder, spot):
+        self.spot = spot
         self.programs = {name: next(file for file in sorted(programs.rglob(name)) if file.is_file())
                          for name in ("make_example_mesh", "segment_by_protrusions")}
         self.folder = folder
 
     def mesh_file(self, shape):
+        if shape == "spot":
+            return self.spot
         file = self.folder / f"{shape}.off"
         if not file.exists():
             subprocess.run([self.programs["make_example_mesh"], shape, file, "--faces", str(FACES)],
@@ -267,10 +273,15 @@ def show(mesh, colors, name, shape, **size):
     scene.render(name, SHAPES[shape][1], **size)
 
 
-def join(pictures, name, height):
-    """One picture of several side by side, no wider than a page of CGAL's manual."""
-    subprocess.run(["convert", *pictures, "-resize", f"x{height}", "-bordercolor", "white", "-border", "6x0", "+append",
-                    "-strip", "+dither", "-colors", "128", "-white-threshold", "97%", f"PNG8:{FIGURES / name}"], check=True)
+def join(pictures, name, height, rows=1):
+    """One picture of several side by side, in rows."""
+    count = -(-len(pictures) // rows)
+    arguments = ["-background", "white", "-gravity", "center"]
+    for i in range(0, len(pictures), count):
+        arguments += ["(", *pictures[i:i + count], "-resize", f"x{height}", "-bordercolor", "white", "-border", "6x0", "+append",
+                      ")"]
+    subprocess.run(["convert", *arguments, "-append", "-strip", "+dither", "-colors", "128", "-white-threshold", "97%",
+                    f"PNG8:{FIGURES / name}"], check=True)
 
 
 def nested(workshop):
@@ -315,14 +326,15 @@ def surface_distance(workshop):
 
 def tip_spheres(workshop):
     """Fig. 4: tips of protrusions as spheres."""
-    for shape, (_, direction) in SHAPES.items():
+    for shape in OWN_SHAPES:
+        direction = SHAPES[shape][1]
         mesh, _, record = workshop.segment(shape, "--method", "paper")
         scene = Scene()
         scene.add_mesh(mesh, [PLAIN] * len(mesh.faces))
         for tip in tips(record):
             scene.add_sphere(mesh.centroids[tip], 0.14, RED)
         scene.render(workshop.folder / f"tips_{shape}.png", direction)
-    join([workshop.folder / f"tips_{shape}.png" for shape in SHAPES], "tips.png", 180)
+    join([workshop.folder / f"tips_{shape}.png" for shape in OWN_SHAPES], "tips.png", 180)
 
 
 def slots(workshop):
@@ -340,13 +352,18 @@ def slots(workshop):
 
 
 def gallery(workshop):
-    """Fig. 8: segmentations of all shapes."""
-    for shape in SHAPES:
-        mesh, _, _ = workshop.segment(shape, "--method", "minimum-cut")
-        show(mesh, mesh.colors, workshop.folder / f"gallery_{shape}.png", shape)
+    """Fig. 8: segmentations of all shapes, and of a mesh that many know."""
+    if not workshop.spot:
+        return
+    order = ["spot", "octopus", "teddy", "horse", "chair", "hand"]
+    for shape in order:
+        mesh, _, _ = workshop.segment(shape, "--method", "minimum-cut", "--smooth-borders")
+        if shape == "spot":  # whose second coordinate goes upwards
+            mesh.points = [(x, -z, y) for x, y, z in mesh.points]
+        show(mesh, mesh.colors, workshop.folder / f"gallery_{shape}.png", shape, area=250000)
         if shape == "horse":
             show(mesh, mesh.colors, "package.png", shape, area=22500)
-    join([workshop.folder / f"gallery_{shape}.png" for shape in SHAPES], "readme.png", 180)
+    join([workshop.folder / f"gallery_{shape}.png" for shape in order], "readme.png", 270, rows=2)
 
 
 def smooth_borders(workshop):
@@ -391,6 +408,7 @@ def main():
                                      smooth_borders, report, landmarks)}
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("programs", type=pathlib.Path, help="folder of the built tools")
+    parser.add_argument("--spot", type=pathlib.Path, help="mesh file of Spot, for the figure gallery")
     parser.add_argument("--only", nargs="+", choices=figures, default=list(figures))
     parser.add_argument("--work", type=pathlib.Path, help="folder to keep meshes and segmentations in")
     arguments = parser.parse_args()
@@ -398,7 +416,7 @@ def main():
     with tempfile.TemporaryDirectory() as temporary:
         folder = arguments.work or pathlib.Path(temporary)
         folder.mkdir(parents=True, exist_ok=True)
-        workshop = Workshop(arguments.programs.resolve(), folder.resolve())
+        workshop = Workshop(arguments.programs.resolve(), folder.resolve(), arguments.spot)
         for name in arguments.only:
             figures[name](workshop)
 

@@ -237,7 +237,7 @@ void add_options(CLI::App& app, Command_line& command_line)
                   ", each also compressed by gzip (.gz); - is the standard input;\n"
                   "with --output-folder any number of meshes and of folders")
     ->required()
-    ->type_name("INPUT...");
+    ->type_name("");
   add_segmentation_options(app, command_line.options);
   app
     .add_option("--tips", command_line.tips,

@@ -18,6 +18,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <iomanip>
@@ -148,6 +149,14 @@ std::string note_on_borders(const Findings& findings)
                               " too thin for smooth borders";
 }
 
+std::string note_on_boundary(const Mesh& mesh)
+{
+  const auto number = std::count_if(halfedges(mesh).begin(), halfedges(mesh).end(),
+                                    [&](const auto h) { return is_border(h, mesh); });
+  return number == 0 ? "" : "is not closed: meshes of segments stay open along the " + std::to_string(number) +
+                              (number == 1 ? " edge" : " edges") + " of its boundary";
+}
+
 std::string join_notes(const std::string& first, const std::string& second)
 {
   return first + (first.empty() || second.empty() ? "" : "; ") + second;
@@ -198,6 +207,8 @@ void write_findings(Findings& findings, const Output_names& names)
   const Clock::time_point start = Clock::now();
   const Segmented_soup segmented = {findings.mesh.soup,
                                     spread(findings.segmentation.segment_ids, findings.mesh), {}};
+  if (names.caps != Caps::NONE)
+    findings.note = join_notes(findings.note, note_on_boundary(findings.mesh.mesh));
   const Segmented_soup cut = findings.smoothed ? soup_of(*findings.smoothed, findings.mesh) : Segmented_soup();
   Output_files files;
   for (const std::string& name : names.segments)

@@ -42,6 +42,24 @@ void write_off(std::ostream& out, const Segmented_soup& segmented)
   }
 }
 
+// A group begins wherever the next face is of another segment, so that faces keep their order.
+void write_obj(std::ostream& out, const Segmented_soup& segmented)
+{
+  const auto& [points, polygons] = segmented.soup;
+  out.precision(17); // a double is read as it was written
+  for (const Point& point : points)
+    out << "v " << point << "\n";
+  for (std::size_t i = 0; i < polygons.size(); ++i)
+  {
+    if (i == 0 || segmented.segments[i] != segmented.segments[i - 1])
+      out << "g segment_" << segmented.segments[i] << "\n";
+    out << "f";
+    for (const std::size_t corner : polygons[i])
+      out << " " << corner + 1;
+    out << "\n";
+  }
+}
+
 struct Format
 {
   std::string extension;
@@ -57,6 +75,7 @@ const std::vector<Format>& formats()
     {".ply", "mesh with colours of faces and vertices and a face property 'segment', binary", write_PLY,
      true},
     {".off", "mesh with face colours", write_off, true},
+    {".obj", "mesh with a group 'segment_N' for each segment; slicers read it", write_obj, true},
     {".glb", "glTF 2.0, binary: a coloured mesh of its own for each segment", write_GLB, true},
     {".vtp", "VTK polygonal data, text, with cell data 'segment' and 'color'", write_VTP, true}};
   return table;

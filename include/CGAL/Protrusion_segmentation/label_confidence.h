@@ -17,8 +17,12 @@ namespace CGAL {
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-tells for every face how sure its label is: the least value of a border on the way from its segment to another one. What
-has the least confidence is what to check by hand first.
+tells for every face how sure its label is: the value of the weakest border of its segment. What has the least confidence is
+what to check by hand first.
+
+Both sides of a doubtful border get its low value. So a body has the confidence of its weakest border, however sure its
+other borders are, and so has a protrusion from which another one sticks out.
+`Protrusion_segmentation::Border_values::value()` tells which border it is.
 
 \tparam FaceGraph a model of `FaceListGraph`
 \tparam SegmentMap a model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type
@@ -29,7 +33,7 @@ has the least confidence is what to check by hand first.
 \param tmesh the mesh
 \param segment_ids the segment of every face, as written by a function of this package
 \param borders the values of the borders, made from the protrusions that a visitor was told of
-\param confidence for every face the least value of a border of its segment, in the unit of
+\param confidence for every face the value of the weakest border of its segment, in the unit of
        `Protrusion_segmentation::Border_values`; infinity where a component is one segment
 
 Complexity: linear in the number of faces.

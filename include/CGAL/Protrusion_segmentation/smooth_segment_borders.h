@@ -36,6 +36,9 @@ three segments meet in a face, there is a new vertex in it. The old vertices sta
 old edges and faces, so that the surface is the same. It is closed if it was. Pieces of triangles are triangles. A face
 that no border crosses stays as it is.
 
+A border between two segments that would not get shorter stays along its edges: it was as straight as the mesh allows, or
+runs around something thin between long faces. Borders of other segments may end at it.
+
 Segments keep their ids and their number, and each stays connected if it was. A segment that would be lost or torn, such
 as one that is a single triangle wide, keeps its faces, and the borders of the others end at it.
 

@@ -176,8 +176,8 @@ class Panel
 // What the numbers are, and in which unit. Shown under the mouse, and in a list.
 Panel.meanings = {
   "faces": "of the file that was segmented",
-  "confidence": "the least value of a border of this segment: how sure it is that it belongs to no other one; what has " +
-                "the least is to be checked first",
+  "confidence": "the value of the weakest border of this segment, what has the least is to be checked first; both sides of " +
+                "a doubtful border have its low value",
   "sticks out of segment": "the segment that gets these faces if the two are merged",
   "tip at face": "the face farthest from the border, counted from 0 in the order of the file",
   "prominence of the border": "how much wider the surface is behind the border than at it: the logarithm of the ratio",

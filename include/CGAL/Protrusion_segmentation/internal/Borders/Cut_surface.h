@@ -7,10 +7,13 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
-#include <numeric>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -24,6 +27,8 @@ struct Cut_surface
 {
   using Index = Indexed_surface::Index;
   using Weights = std::vector<std::pair<Index, double>>; // of vertices of the surface; their sum is 1
+
+  using Border_lengths = std::map<std::pair<Index, Index>, double>;
 
   struct Piece
   {
@@ -46,8 +51,14 @@ struct Cut_surface
     return std::adjacent_find(edges.begin(), edges.end()) == edges.end();
   }
 
-  // Of how many connected sets of pieces each segment consists.
-  std::vector<std::size_t> connected_parts(std::size_t number_of_segments) const
+  // An edge between two pieces.
+  struct Inner_edge
+  {
+    Index low, high; // its ends
+    Index piece, other_piece;
+  };
+
+  std::vector<Inner_edge> inner_edges() const
   {
     std::vector<std::array<Index, 3>> edges; // two vertices, the lower one first, and a piece
     for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -58,22 +69,47 @@ struct Cut_surface
         edges.push_back({low, high, static_cast<Index>(p)});
       }
     std::sort(edges.begin(), edges.end());
-    std::vector<std::size_t> parents(pieces.size()); // in a forest, a tree for each connected set
-    std::iota(parents.begin(), parents.end(), std::size_t(0));
-    const auto root = [&](std::size_t p)
-    {
-      while (parents[p] != p)
-        p = parents[p] = parents[parents[p]];
-      return p;
-    };
+    std::vector<Inner_edge> result;
     for (std::size_t i = 1; i < edges.size(); ++i)
-      if (edges[i][0] == edges[i - 1][0] && edges[i][1] == edges[i - 1][1] &&
-          pieces[edges[i][2]].segment == pieces[edges[i - 1][2]].segment)
-        parents[root(edges[i][2])] = root(edges[i - 1][2]);
+      if (edges[i][0] == edges[i - 1][0] && edges[i][1] == edges[i - 1][1])
+        result.push_back({edges[i][0], edges[i][1], edges[i - 1][2], edges[i][2]});
+    return result;
+  }
+
+  // Of how many connected sets of pieces each segment consists.
+  std::vector<std::size_t> connected_parts(const std::vector<Inner_edge>& edges, std::size_t number_of_segments) const
+  {
+    boost::disjoint_sets_with_storage<> sets(pieces.size());
+    for (const Inner_edge& edge : edges)
+      if (pieces[edge.piece].segment == pieces[edge.other_piece].segment)
+        sets.union_set(edge.piece, edge.other_piece);
     std::vector<std::size_t> result(number_of_segments, 0);
     for (std::size_t p = 0; p < pieces.size(); ++p)
-      result[pieces[p].segment] += parents[p] == p ? 1 : 0;
+      result[pieces[p].segment] += sets.find_set(p) == p ? 1 : 0;
     return result;
+  }
+
+  // The length of the border between any two segments, the lower one first.
+  Border_lengths border_lengths(const std::vector<Inner_edge>& edges, const Indexed_surface& surface) const
+  {
+    Border_lengths result;
+    for (const Inner_edge& edge : edges)
+      if (const Index s = pieces[edge.piece].segment, t = pieces[edge.other_piece].segment; s != t)
+        result[std::minmax(s, t)] +=
+          std::sqrt((position(edge.low, surface) - position(edge.high, surface)).squared_length());
+    return result;
+  }
+
+  // The place of a vertex, as seen from the origin.
+  Indexed_surface::Vector_3 position(Index vertex, const Indexed_surface& surface) const
+  {
+    const Index n = surface.number_of_vertices();
+    if (vertex < n)
+      return surface.point(vertex) - CGAL::ORIGIN;
+    Indexed_surface::Vector_3 sum(0, 0, 0);
+    for (const auto& [old, weight] : new_vertices[vertex - n])
+      sum = sum + weight * (surface.point(old) - CGAL::ORIGIN);
+    return sum;
   }
 };
 

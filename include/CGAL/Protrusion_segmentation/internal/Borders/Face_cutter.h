@@ -6,8 +6,9 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_FACE_CUTTER_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Borders/Corner_fans.h>
 #include <CGAL/Protrusion_segmentation/internal/Borders/Cut_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Borders/Vertex_shares.h>
+#include <CGAL/Protrusion_segmentation/internal/Borders/Fan_shares.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -19,33 +20,25 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// Cuts faces between vertices of different segments: marching triangles, for any number of segments and of corners.
+// Cuts faces between corners of different segments: marching triangles, for any number of segments and of corners.
 //
 // An edge between two segments is cut where their shares are equal. A face with two cut edges falls in two pieces, one with
-// more in as many, around a new vertex in the middle. Faces of fixed segments stay whole, but get the new vertices on
-// their edges.
+// more in as many, around a new vertex in the middle. A line may end at a kept border: then the face on its other side gets
+// the new vertex, too.
 class Face_cutter
 {
 public:
   using Index = Indexed_surface::Index;
 
-  // The arguments must outlive the object. `is_fixed` is of segments.
-  Face_cutter(const Indexed_surface& surface,
-              const std::vector<Index>& segment_of_face,
-              const std::vector<bool>& is_fixed,
-              const Vertex_shares& shares)
-    : m_surface(surface),
-      m_segment_of_face(segment_of_face),
-      m_is_fixed(is_fixed),
-      m_shares(shares),
-      m_segments(shares.segments())
+  // The arguments must outlive the object.
+  Face_cutter(const Indexed_surface& surface, const Corner_fans& fans, const Fan_shares& shares)
+    : m_surface(surface), m_fans(fans), m_shares(shares), m_segments(shares.segments())
   {}
 
   Cut_surface cut()
   {
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-      if (!is_fixed(f))
-        cut_edges(f);
+      cut_edges(f);
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
       cut_face(f);
     return std::move(m_result);
@@ -54,15 +47,15 @@ public:
 private:
   using Corners = std::vector<Index>;
 
-  bool is_fixed(Index f) const { return m_is_fixed[m_segment_of_face[f]]; }
-
-  Corners corners(Index f) const
+  // A corner of a face, or a new vertex on an edge, which is in no segment.
+  struct Loop_vertex
   {
-    Corners result;
-    for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
-      result.push_back(m_surface.vertex(c));
-    return result;
-  }
+    Index vertex, segment;
+  };
+
+  static constexpr Index no_segment() { return Indexed_surface::no_face(); }
+
+  Index segment(Index corner) const { return m_segments[m_fans[corner]]; }
 
   Index add_vertex(Cut_surface::Weights weights)
   {
@@ -72,18 +65,22 @@ private:
 
   void cut_edges(Index f)
   {
-    const Corners loop = corners(f);
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
     {
-      const auto [u, v] = std::minmax(loop[i], loop[(i + 1) % loop.size()]);
-      if (m_segments[u] == m_segments[v] || m_cut_edges.count({u, v}) > 0)
+      Index from = c, to = m_surface.next_corner(f, c);
+      if (segment(from) == segment(to))
         continue;
-      const double share = share_of_cut(u, v);
+      if (m_surface.vertex(from) > m_surface.vertex(to))
+        std::swap(from, to);
+      const Index u = m_surface.vertex(from), v = m_surface.vertex(to);
+      if (m_cut_edges.count({u, v}) > 0)
+        continue;
+      const double share = share_of_cut(m_fans[from], m_fans[to]);
       m_cut_edges[{u, v}] = add_vertex({{u, 1 - share}, {v, share}});
     }
   }
 
-  // Where on the edge from `u` to `v` the shares of their segments are equal. Not too near to an end: pieces would be thin.
+  // Where on the edge between two fans the shares of their segments are equal. Not too near to an end: pieces would be thin.
   double share_of_cut(Index u, Index v) const
   {
     constexpr double least_share = 0.05;
@@ -95,69 +92,80 @@ private:
     return std::clamp(at_u / (at_u + at_v), least_share, 1 - least_share);
   }
 
-  void cut_face(Index f)
+  std::vector<Loop_vertex> loop_with_cuts(Index f) const
   {
-    const Corners old = corners(f);
-    Corners loop;
-    std::vector<std::size_t> cuts; // where in the loop
-    for (std::size_t i = 0; i < old.size(); ++i)
+    std::vector<Loop_vertex> loop;
+    for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
     {
-      loop.push_back(old[i]);
-      const auto edge = m_cut_edges.find(std::minmax(old[i], old[(i + 1) % old.size()]));
-      if (edge == m_cut_edges.end())
-        continue;
-      cuts.push_back(loop.size());
-      loop.push_back(edge->second);
+      const Index v = m_surface.vertex(c), next = m_surface.vertex(m_surface.next_corner(f, c));
+      loop.push_back({v, segment(c)});
+      if (const auto cut = m_cut_edges.find(std::minmax(v, next)); cut != m_cut_edges.end())
+        loop.push_back({cut->second, no_segment()});
     }
-    if (is_fixed(f) && !cuts.empty() && old.size() == 3)
-      add_fan(loop, f);
-    else if (is_fixed(f) || cuts.empty())
-      m_result.pieces.push_back({loop, f, is_fixed(f) ? m_segment_of_face[f] : m_segments[old.front()]});
-    else
-      add_pieces(loop, cuts, f);
+    return loop;
   }
 
-  void add_pieces(const Corners& loop, const std::vector<std::size_t>& cuts, Index f)
+  void cut_face(Index f)
   {
-    std::vector<Index> middle; // one vertex, or none
+    const std::vector<Loop_vertex> loop = loop_with_cuts(f);
+    std::vector<std::size_t> cuts; // where in the loop it goes from one segment to another
+    for (std::size_t i = 1; i < loop.size(); ++i)
+      if (loop[i].segment == no_segment() && loop[i - 1].segment != loop[(i + 1) % loop.size()].segment)
+        cuts.push_back(i);
+    if (!cuts.empty())
+      return add_pieces(loop, cuts, f);
+    Corners corners;
+    for (const Loop_vertex& v : loop)
+      corners.push_back(v.vertex);
+    add_piece(corners, f, loop.front().segment);
+  }
+
+  void add_pieces(const std::vector<Loop_vertex>& loop, const std::vector<std::size_t>& cuts, Index f)
+  {
+    Corners middle; // one vertex, or none
     if (cuts.size() > 2)
     {
       Corners new_ones;
       for (std::size_t cut : cuts)
-        new_ones.push_back(loop[cut]);
+        new_ones.push_back(loop[cut].vertex);
       middle.push_back(add_mean(new_ones));
     }
     for (std::size_t i = 0; i < cuts.size(); ++i)
     {
       Corners piece;
-      for (std::size_t c = cuts[i]; c != cuts[(i + 1) % cuts.size()]; c = (c + 1) % loop.size())
-        piece.push_back(loop[c]);
-      piece.push_back(loop[cuts[(i + 1) % cuts.size()]]);
-      const Index segment = m_segments[piece[1]];
+      const std::size_t last = cuts[(i + 1) % cuts.size()];
+      for (std::size_t c = cuts[i]; c != last; c = (c + 1) % loop.size())
+        piece.push_back(loop[c].vertex);
+      piece.push_back(loop[last].vertex);
       piece.insert(piece.end(), middle.begin(), middle.end());
-      add_piece(piece, f, segment);
+      add_piece(piece, f, loop[(cuts[i] + 1) % loop.size()].segment);
     }
   }
 
-  // Pieces of triangles are triangles.
+  // Pieces of triangles are triangles. One with more than four corners has a corner in a straight side.
   void add_piece(const Corners& piece, Index f, Index segment)
   {
     const bool is_of_triangle = m_surface.first_corner(f + 1) - m_surface.first_corner(f) == 3;
-    if (!is_of_triangle || piece.size() != 4)
-    {
+    if (!is_of_triangle || piece.size() == 3)
       m_result.pieces.push_back({piece, f, segment});
-      return;
-    }
+    else if (piece.size() == 4 && piece.front() >= m_surface.number_of_vertices())
+      add_halves(piece, f, segment);
+    else
+      add_fan(piece, f, segment);
+  }
+
+  void add_halves(const Corners& piece, Index f, Index segment)
+  {
     const std::size_t first = squared_length(piece[0], piece[2]) <= squared_length(piece[1], piece[3]) ? 0 : 1;
     m_result.pieces.push_back({{piece[first], piece[first + 1], piece[first + 2]}, f, segment});
     m_result.pieces.push_back({{piece[first + 2], piece[(first + 3) % 4], piece[first]}, f, segment});
   }
 
-  void add_fan(const Corners& loop, Index f)
+  void add_fan(const Corners& piece, Index f, Index segment)
   {
-    const Index middle = add_mean(corners(f));
-    for (std::size_t i = 0; i < loop.size(); ++i)
-      m_result.pieces.push_back({{loop[i], loop[(i + 1) % loop.size()], middle}, f, m_segment_of_face[f]});
+    const Index middle = add_mean(piece);
+    for (std::size_t i = 0; i < piece.size(); ++i)
+      m_result.pieces.push_back({{piece[i], piece[(i + 1) % piece.size()], middle}, f, segment});
   }
 
   Index add_mean(const Corners& vertices)
@@ -177,19 +185,13 @@ private:
 
   double squared_length(Index u, Index v) const
   {
-    Indexed_surface::Vector_3 sum(0, 0, 0);
-    for (const auto& [old, weight] : weights_of(u))
-      sum = sum + weight * (m_surface.point(old) - CGAL::ORIGIN);
-    for (const auto& [old, weight] : weights_of(v))
-      sum = sum - weight * (m_surface.point(old) - CGAL::ORIGIN);
-    return sum.squared_length();
+    return (m_result.position(u, m_surface) - m_result.position(v, m_surface)).squared_length();
   }
 
   const Indexed_surface& m_surface;
-  const std::vector<Index>& m_segment_of_face;
-  const std::vector<bool>& m_is_fixed;
-  const Vertex_shares& m_shares;
-  std::vector<Index> m_segments; // of the vertices
+  const Corner_fans& m_fans;
+  const Fan_shares& m_shares;
+  std::vector<Index> m_segments;                       // of the fans
   std::map<std::pair<Index, Index>, Index> m_cut_edges; // the new vertex on an edge, the lower end first
   Cut_surface m_result;
 };

@@ -2,10 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_VERTEX_SHARES_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_VERTEX_SHARES_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_FAN_SHARES_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_FAN_SHARES_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Borders/Corner_fans.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 
 #include <algorithm>
@@ -19,29 +20,24 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// By what share each vertex belongs to each segment: first by the angles of the faces around it, then averaged with its
-// neighbors again and again. Where shares of two segments are equal, there is a smooth line between them.
+// By what share each fan, most often all that is around a vertex, belongs to each segment: first by the angles of its faces,
+// then averaged with its neighbors again and again. Where shares of two segments are equal, there is a smooth line between
+// them.
 //
 // The average has the weights of mean value coordinates (M. S. Floater, 2003): positive, and exact for what is linear on
-// the surface, so that the line does not drift to where edges are short. Faces of fixed segments do not exist here.
-class Vertex_shares
+// the surface, so that the line does not drift to where edges are short.
+class Fan_shares
 {
 public:
   using Index = Indexed_surface::Index;
 
-  static constexpr Index no_segment() { return Indexed_surface::no_face(); }
-
-  // The arguments must outlive the object. `is_fixed` is of segments.
-  Vertex_shares(const Indexed_surface& surface,
-                const std::vector<Index>& segment_of_face,
-                const std::vector<bool>& is_fixed)
-    : m_surface(surface), m_shares(surface.number_of_vertices()), m_is_in_band(surface.number_of_vertices(), false)
+  Fan_shares(const Indexed_surface& surface, const std::vector<Index>& segment_of_face, const Corner_fans& fans)
+    : m_shares(fans.number_of_fans()),
+      m_corners_of(fans.of_corners(), fans.number_of_fans()),
+      m_is_in_band(fans.number_of_fans(), false)
   {
-    std::vector<Index> vertex_of_corner;
     for (Index f = 0; f < surface.number_of_faces(); ++f)
-      if (!is_fixed[segment_of_face[f]])
-        add_corners(f, segment_of_face[f], vertex_of_corner);
-    m_corners_of = Index_groups(vertex_of_corner, surface.number_of_vertices());
+      add_corners(surface, fans, f, segment_of_face[f]);
     for (Shares& shares : m_shares)
       scale(shares);
   }
@@ -59,21 +55,21 @@ public:
     }
   }
 
-  double share(Index vertex, Index segment) const
+  double share(Index fan, Index segment) const
   {
-    for (const auto& [s, share] : m_shares[vertex])
+    for (const auto& [s, share] : m_shares[fan])
       if (s == segment)
         return share;
     return 0;
   }
 
-  // The segment of the largest share of each vertex; `no_segment()` for vertices of fixed segments only. A few vertices
-  // that hang together, but not with any that lay in their segment from the beginning, go to a neighbor.
+  // The segment of the largest share of each fan. A few fans that hang together, but not with any that lay in their segment
+  // from the beginning, go to a neighbor.
   std::vector<Index> segments() const
   {
     std::vector<Index> result;
     for (const Shares& shares : m_shares)
-      result.push_back(shares.empty() ? no_segment() : segment_of(shares));
+      result.push_back(segment_of(shares));
     give_islands_away(result);
     return result;
   }
@@ -81,7 +77,7 @@ public:
 private:
   using Shares = std::vector<std::pair<Index, double>>; // of segments, most often of one
 
-  // A face at a vertex, and how much the ends of its two edges there count.
+  // A face of a fan, and how much the fans at the ends of its two edges there count.
   struct Corner
   {
     Index before, after;
@@ -108,7 +104,7 @@ private:
       entry.second /= sum;
   }
 
-  // Of shares that differ by rounding only, as on a straight border, all vertices take that of the same segment.
+  // Of shares that differ by rounding only, as on a straight border, all fans take that of the same segment.
   static Index segment_of(const Shares& shares)
   {
     constexpr double tie = 1e-9;
@@ -119,35 +115,34 @@ private:
     return best->first;
   }
 
-  void add_corners(Index f, Index segment, std::vector<Index>& vertex_of_corner)
+  void add_corners(const Indexed_surface& surface, const Corner_fans& fans, Index f, Index segment)
   {
     constexpr double least_angle = 1e-6; // of faces without area
     constexpr double largest_angle = 3;  // at pi the weight would be infinite
     constexpr double least_length = 1e-12;
-    const Index n = m_surface.first_corner(f + 1) - m_surface.first_corner(f);
-    const auto vertex = [&](Index i) { return m_surface.vertex(m_surface.first_corner(f) + i % n); };
+    const Index first = surface.first_corner(f), n = surface.first_corner(f + 1) - first;
+    const auto point = [&](Index corner) { return surface.point(surface.vertex(corner)); };
     for (Index i = 0; i < n; ++i)
     {
-      const Index v = vertex(i), before = vertex(i + n - 1), after = vertex(i + 1);
-      const auto to_before = m_surface.point(before) - m_surface.point(v);
-      const auto to_after = m_surface.point(after) - m_surface.point(v);
+      const Index corner = first + i, before = first + (i + n - 1) % n, after = first + (i + 1) % n;
+      const auto to_before = point(before) - point(corner);
+      const auto to_after = point(after) - point(corner);
       const double length_before = (std::max)(std::sqrt(to_before.squared_length()), least_length);
       const double length_after = (std::max)(std::sqrt(to_after.squared_length()), least_length);
       const double cosine = to_before * to_after / (length_before * length_after);
       const double angle = std::clamp(std::acos(std::clamp(cosine, -1., 1.)), least_angle, largest_angle);
       const double tangent = std::tan(angle / 2);
-      vertex_of_corner.push_back(v);
-      m_corners.push_back({before, after, tangent / length_before, tangent / length_after});
-      add(m_shares[v], segment, angle);
+      m_corners.push_back({fans[before], fans[after], tangent / length_before, tangent / length_after});
+      add(m_shares[fans[corner]], segment, angle);
     }
   }
 
   // Further away nothing changes.
   void make_band(std::size_t number_of_rounds)
   {
-    for (Index v = 0; v < m_shares.size(); ++v)
-      if (m_shares[v].size() > 1)
-        add_to_band(v);
+    for (Index fan = 0; fan < m_shares.size(); ++fan)
+      if (m_shares[fan].size() > 1)
+        add_to_band(fan);
     m_number_of_mixed = m_band.size();
     std::size_t first = 0;
     for (std::size_t round = 0; round < number_of_rounds; ++round)
@@ -159,16 +154,16 @@ private:
         }
   }
 
-  void add_to_band(Index v)
+  void add_to_band(Index fan)
   {
-    if (m_is_in_band[v])
+    if (m_is_in_band[fan])
       return;
-    m_is_in_band[v] = true;
-    m_band.push_back(v);
+    m_is_in_band[fan] = true;
+    m_band.push_back(fan);
   }
 
-  // A vertex keeps some of its own shares: without, those of every other vertex of a grid would never mix.
-  Shares average_around(Index v) const
+  // A fan keeps some of its own shares: without, those of every other vertex of a grid would never mix.
+  Shares average_around(Index fan) const
   {
     constexpr double kept_share = 1. / 3;
     Shares result;
@@ -177,7 +172,7 @@ private:
       for (const auto& [segment, share] : m_shares[neighbor])
         add(result, segment, weight * share);
     };
-    for (Index c : m_corners_of[v])
+    for (Index c : m_corners_of[fan])
     {
       add_all(m_corners[c].before, m_corners[c].weight_before);
       add_all(m_corners[c].after, m_corners[c].weight_after);
@@ -185,7 +180,7 @@ private:
     scale(result);
     for (auto& entry : result)
       entry.second *= 1 - kept_share;
-    for (const auto& [segment, share] : m_shares[v])
+    for (const auto& [segment, share] : m_shares[fan])
       add(result, segment, kept_share * share);
     return result;
   }
@@ -207,15 +202,15 @@ private:
       {
         is_island = is_island && was_mixed[island[i]];
         for (Index c : m_corners_of[island[i]])
-          for (Index v : {m_corners[c].before, m_corners[c].after})
-            if (segments[v] != segments[seed])
-              ++edges_to[segments[v]];
-            else if (!m_is_in_band[v])
+          for (Index fan : {m_corners[c].before, m_corners[c].after})
+            if (segments[fan] != segments[seed])
+              ++edges_to[segments[fan]];
+            else if (!m_is_in_band[fan])
               is_island = false;
-            else if (!is_seen[v])
+            else if (!is_seen[fan])
             {
-              is_seen[v] = true;
-              island.push_back(v);
+              is_seen[fan] = true;
+              island.push_back(fan);
             }
       }
       if (!is_island || edges_to.empty())
@@ -223,22 +218,21 @@ private:
       const Index most = std::max_element(edges_to.begin(), edges_to.end(),
                                           [](const auto& a, const auto& b) { return a.second < b.second; })
                            ->first;
-      for (Index v : island)
-        segments[v] = most;
+      for (Index fan : island)
+        segments[fan] = most;
     }
   }
 
-  const Indexed_surface& m_surface;
-  std::vector<Shares> m_shares;    // of the vertices
-  std::vector<Corner> m_corners;   // of faces that are not fixed
-  Index_groups m_corners_of = Index_groups({}, 0); // of the vertices
-  std::vector<Index> m_band;       // vertices whose shares may change, the mixed ones first
+  std::vector<Shares> m_shares;  // of the fans
+  std::vector<Corner> m_corners; // of the surface
+  Index_groups m_corners_of;     // of the fans
+  std::vector<Index> m_band;     // fans whose shares may change, the mixed ones first
   std::vector<bool> m_is_in_band;
-  std::size_t m_number_of_mixed = 0; // vertices that belong to several segments from the beginning
+  std::size_t m_number_of_mixed = 0; // fans that belong to several segments from the beginning
 };
 
 } // namespace internal
 } // namespace Protrusion_segmentation
 } // namespace CGAL
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_VERTEX_SHARES_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_FAN_SHARES_H
