@@ -437,6 +437,17 @@ test_words()
     expect_one_line "'$words' is "
     [ "$(wc -c <stderr)" -lt 120 ] || fail "$command: too many words"
   done
+  # A leading zero changes nothing: 010 is ten, and 09 a number.
+  expect 0 "$segment" $in -k 010 --seed 08 --threads 01 --distance diffusion --eigenpairs 012 --json outputs/zeros.json
+  expect_text outputs/zeros.json '"segments": 10,'
+  expect_text outputs/zeros.json '"seed": 8'
+  expect_text outputs/zeros.json '"eigenpairs": 12,'
+  expect 0 "$make_mesh" octopus outputs/zeros.off --faces 01010
+  expect 2 "$make_mesh" octopus outputs/zeros.off --faces 999
+  expect_one_line "'999' is no number of faces, an integer from 1000 to 1000000"
+  expect 2 "$segment" $in --seed 4294967296
+  expect_one_line "'4294967296' is no seed, an integer from 0 to 4294967295"
+  expect 2 "$segment" $in -k 0x10
   expect 0 "$segment" --version
   grep -qE "^segment_by_protrusions [0-9]+\.[0-9]+\.[0-9]+$" stdout || fail "$command: no version"
   : >outputs/empty.xyz
@@ -573,7 +584,7 @@ test_collection()
   expect 1 "$segment" nothing --output-folder twice
   expect_one_line "nothing: has no mesh in it"
   local options
-  for options in "-o a.seg" "--json a.json" "--format xyz" "--jobs 0"; do
+  for options in "-o a.seg" "--json a.json" "--format xyz" "--jobs 0" "--jobs 0x2"; do
     # shellcheck disable=SC2086
     expect 2 "$segment" meshes --output-folder twice $options
   done
@@ -582,6 +593,20 @@ test_collection()
     expect 2 "$segment" meshes/a.off $options
   done
   expect 2 "$segment" meshes/a.off meshes/broken.off
+}
+
+# A mesh whose process the system ends, here for want of time, has failed, and no other.
+test_ended_process()
+{
+  expect 0 "$make_mesh" octopus outputs/large.off --faces 20000
+  command="a collection with little time for each mesh"
+  (ulimit -c 0 -t 1 && timeout 60 "$segment" outputs/large.off "$data/tetrahedron.off" --distance exact --output-folder ended) >stdout 2>stderr
+  code=$?
+  [ "$code" = 1 ] || fail "$command: a failure is not told by the exit code"
+  expect_text stderr "outputs/large.off: its process was ended by signal "
+  expect_text stderr "2 meshes: 1 segmented, 0 already there, 1 failed"
+  expect_files ended large.json tetrahedron.seg tetrahedron.json
+  expect_text ended/large.json '"error": "outputs/large.off: its process was ended by signal '
 }
 
 # New meshes with smooth borders: closed, with the old face of each new one, and labels of the old faces in SEG.
@@ -728,6 +753,7 @@ test_pipes
 test_3MF
 test_VTP
 test_collection
+test_ended_process
 test_smooth_borders
 test_tips
 test_json_schema

@@ -9,6 +9,7 @@
 // The same arguments give the same mesh.
 
 #include "command_line/Error.h"
+#include "command_line/integer_option.h"
 #include "command_line/tool_main.h"
 #include "example_meshes/mesh_of_shape.h"
 #include "example_meshes/shapes.h"
@@ -36,7 +37,7 @@ int main(int argc, char** argv)
   app.add_option("SHAPE", name, "The shape")->required()->check(CLI::IsMember(shapes));
   app.add_option("FILE", file, "The mesh file (.off, .ply, .obj, .stl)")->required();
   app.add_option("--faces", faces, "The least number of faces; there are up to a quarter more")
-      ->check(CLI::Range(1000, 1000000))
+      ->transform(tool::integer("number of faces", 1000, 1000000))
       ->capture_default_str();
   return tool::main(app, argc, argv, [&]() {
     const tool::Mesh mesh = example_shapes::mesh_of_shape(shapes.at(name)(), faces);

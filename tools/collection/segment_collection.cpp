@@ -5,6 +5,7 @@
 #include "collection/segment_collection.h"
 
 #include "collection/list_meshes.h"
+#include "collection/run_in_processes.h"
 #include "command_line/Error.h"
 #include "command_line/Progress_bar.h"
 #include "reading/read_soup.h"
@@ -14,17 +15,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include <atomic>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <mutex>
 #include <new>
 #include <set>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 namespace tool
@@ -35,7 +33,7 @@ namespace
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-// What is told while several threads work.
+// Tells of each mesh, as it is done.
 class Teller
 {
 public:
@@ -48,7 +46,6 @@ public:
   // One mesh is done, and this is its line.
   void tell(const std::string& line, bool is_error)
   {
-    const std::lock_guard<std::mutex> lock(m_mutex);
     ++m_number_of_told;
     m_bar.clear();
     const std::string place = "[" + std::to_string(m_number_of_told) + "/" +
@@ -61,7 +58,6 @@ public:
   }
 
 private:
-  std::mutex m_mutex;
   std::size_t m_number_of_meshes;
   std::size_t m_number_of_told = 0;
   bool m_is_quiet;
@@ -83,11 +79,15 @@ public:
 
   void segment_all()
   {
-    std::vector<std::thread> workers;
-    for (std::size_t i = 0; i < (std::min)(m_command_line.jobs, m_meshes.size()); ++i)
-      workers.emplace_back([this]() { work(); });
-    for (std::thread& worker : workers)
-      worker.join();
+    std::vector<const Mesh_in_collection*> left;
+    for (const Mesh_in_collection& mesh : m_meshes)
+      if (m_command_line.is_everything_done_again || !is_done(mesh))
+        left.push_back(&mesh);
+      else
+        m_teller.tell(mesh.input + ": already there", false);
+    m_number_of_skipped = m_meshes.size() - left.size();
+    run_in_processes(left.size(), m_command_line.jobs, [&](std::size_t i) { return segment(*left[i]); },
+                     [&](std::size_t i, const Outcome& outcome) { tell(*left[i], outcome); });
   }
 
   std::size_t number_of_failures() const { return m_number_of_failures; }
@@ -123,27 +123,16 @@ private:
       throw Error(folder.string(), "cannot be made: " + error.message());
   }
 
-  void work()
-  {
-    for (std::size_t i = m_next++; i < m_meshes.size(); i = m_next++)
-      segment(m_meshes[i]);
-  }
-
   fs::path path(const Mesh_in_collection& mesh, const std::string& extension) const
   {
     return fs::path(m_command_line.output_folder) / (mesh.name + "." + extension);
   }
 
-  // No exception leaves it.
-  void segment(const Mesh_in_collection& mesh)
+  // No exception leaves it. The text does not name the mesh.
+  Outcome segment(const Mesh_in_collection& mesh) const
   {
     try
     {
-      if (!m_command_line.is_everything_done_again && is_done(mesh))
-      {
-        ++m_number_of_skipped;
-        return m_teller.tell(mesh.input + ": already there", false);
-      }
       Findings findings = segment_file(mesh.input, m_command_line.options, {},
                                        [](const std::string&) {});
       Output_names names;
@@ -151,18 +140,26 @@ private:
         names.segments.push_back(path(mesh, format).string());
       names.json = path(mesh, "json").string();
       write_findings(findings, names);
-      m_teller.tell(mesh.input + ": " + summary(findings) +
-                      (findings.note.empty() ? "" : " (" + findings.note + ")"),
-                    false);
+      return {false, summary(findings) + (findings.note.empty() ? "" : " (" + findings.note + ")")};
     }
     catch (const std::bad_alloc&)
     {
-      fail(mesh, mesh.input + ": out of memory");
+      return {true, "out of memory"};
     }
     catch (const std::exception& error)
     {
-      fail(mesh, error.what());
+      const std::string name = mesh.input + ": ", message = error.what();
+      return {true, message.compare(0, name.size(), name) == 0 ? message.substr(name.size()) : message};
     }
+  }
+
+  void tell(const Mesh_in_collection& mesh, const Outcome& outcome)
+  {
+    const std::string line = mesh.input + ": " + outcome.text;
+    if (outcome.is_failure)
+      fail(mesh, line);
+    else
+      m_teller.tell(line, false);
   }
 
   // Was it segmented with the same options after the mesh was written? The record is the last of its files that appears.
@@ -208,9 +205,8 @@ private:
   const Command_line& m_command_line;
   std::vector<Mesh_in_collection> m_meshes;
   Teller m_teller;
-  std::atomic<std::size_t> m_next{0};
-  std::atomic<std::size_t> m_number_of_failures{0};
-  std::atomic<std::size_t> m_number_of_skipped{0};
+  std::size_t m_number_of_failures = 0;
+  std::size_t m_number_of_skipped = 0;
 };
 
 } // namespace

@@ -4,7 +4,7 @@
 
 #include "command_line/segment_options.h"
 
-#include "command_line/number.h"
+#include "command_line/integer_option.h"
 #include "reading/lower_case_extension.h"
 #include "reading/read_soup.h"
 #include "report/report.h"
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -40,20 +41,6 @@ std::string help(const std::string& text, const std::vector<Choice>& choices)
   for (const Choice& choice : choices)
     result += "\n" + choice.name + ": " + choice.description;
   return result;
-}
-
-// An integer from 1, in words that fit any of them.
-CLI::Validator counts(const std::string& what)
-{
-  const auto problem_with = [what](const std::string& text) -> std::string
-  {
-    std::size_t value = 0;
-    const std::errc error = parse_number(text, value);
-    if (error == std::errc::result_out_of_range)
-      return "'" + text + "' is more than any computer can count";
-    return error == std::errc() && value > 0 ? "" : "'" + text + "' is no " + what + ", an integer from 1";
-  };
-  return CLI::Validator(problem_with, "");
 }
 
 // Options of a distance or a method that was not chosen would be ignored in silence.
@@ -140,7 +127,7 @@ void add_segmentation_options(CLI::App& app, Segmentation_options& options)
   app
     .add_option("-k,--segments", options.number_of_segments,
                 "number of segments; default: as many as there are evident protrusions")
-    ->check(counts("number of segments"))
+    ->transform(integer("number of segments", 1))
     ->type_name("N");
   app.add_option("--method", options.method, help("how borders are found", methods()))
     ->check(CLI::IsMember(names(methods())).description(""))
@@ -156,7 +143,7 @@ void add_segmentation_options(CLI::App& app, Segmentation_options& options)
     ->type_name("N%|N")
     ->capture_default_str();
   app.add_option("--eigenpairs", options.eigenpairs, "number of terms of the diffusion distance")
-    ->check(counts("number of terms"))
+    ->transform(integer("number of terms", 1))
     ->type_name("N")
     ->capture_default_str();
   app
@@ -164,12 +151,15 @@ void add_segmentation_options(CLI::App& app, Segmentation_options& options)
                 "of the diffusion distance, from 0; at 1 the slowest term has decayed to 1/e")
     ->type_name("T")
     ->capture_default_str();
-  app.add_option("--seed", options.seed, "of all that is random")->type_name("N")->capture_default_str();
+  app.add_option("--seed", options.seed, "of all that is random")
+    ->transform(integer("seed", 0, (std::numeric_limits<decltype(options.seed)>::max)()))
+    ->type_name("N")
+    ->capture_default_str();
   app
     .add_option("--threads", options.threads,
                 std::string("that segment a mesh; the segments are the same with any number of them") +
                   (can_use_threads() ? "" : "; not here: oneTBB was not found when this program was built"))
-    ->check(counts("number of threads"))
+    ->transform(integer("number of threads", 1))
     ->type_name("N")
     ->capture_default_str();
   app.add_flag("--smooth-borders", options.are_borders_smooth,
@@ -218,8 +208,8 @@ void add_collection_options(CLI::App& app, Command_line& command_line)
                 "of the segments in --output-folder; may be repeated; default: seg")
     ->allow_extra_args(false)
     ->type_name("EXTENSION");
-  app.add_option("--jobs", command_line.jobs, "so many meshes at once, with --output-folder")
-    ->check(counts("number of jobs"))
+  app.add_option("--jobs", command_line.jobs, "so many meshes at once, each in a process of its own, with --output-folder")
+    ->transform(integer("number of jobs", 1))
     ->type_name("N")
     ->capture_default_str();
   app.add_flag("--again", command_line.is_everything_done_again,

@@ -27,11 +27,14 @@ using Vertex = Mesh::Vertex_index;
 
 double length(const Vector& v) { return std::sqrt(v.squared_length()); }
 
+// As long as twice the area. CGAL::normal() does not allow for triangles without area, which look nowhere.
+Vector normal_of(const Point& a, const Point& b, const Point& c) { return CGAL::cross_product(b - a, c - a); }
+
 // Do two triangles look about the same way? `normal` has any length.
 bool looks_along(const Vector& normal, const Point& a, const Point& b, const Point& c)
 {
   const double least_cosine = 0.7;
-  const Vector other = CGAL::normal(a, b, c);
+  const Vector other = normal_of(a, b, c);
   return other * normal > least_cosine * length(other) * length(normal);
 }
 
@@ -48,7 +51,7 @@ bool can_move_target(const Mesh& mesh, const Shape& shape, Halfedge h, const Poi
         std::abs(shape(CGAL::midpoint(p, mesh.point(other)))) > farthest)
       return false;
     const Point &a = mesh.point(other), &b = mesh.point(mesh.target(h)), &c = mesh.point(third);
-    if (other != source && third != source && !looks_along(CGAL::normal(a, b, c), a, p, c))
+    if (other != source && third != source && !looks_along(normal_of(a, b, c), a, p, c))
       return false;
   }
   return true;
@@ -93,7 +96,7 @@ bool is_flat(const Mesh& mesh, Halfedge h)
   const Point &from = mesh.point(mesh.source(h)), &to = mesh.point(mesh.target(h));
   const Point &left = mesh.point(mesh.target(mesh.next(h)));
   const Point &right = mesh.point(mesh.target(mesh.next(o)));
-  const Vector normal = CGAL::normal(from, to, left) + CGAL::normal(to, from, right);
+  const Vector normal = normal_of(from, to, left) + normal_of(to, from, right);
   return looks_along(normal, from, right, left) && looks_along(normal, to, left, right);
 }
 

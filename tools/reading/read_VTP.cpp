@@ -10,10 +10,10 @@
 #include "reading/Format_error.h"
 
 #include <vtkCellArray.h>
-#include <vtkCommand.h>
 #include <vtkDataArray.h>
-#include <vtkExecutive.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
+#include <vtkOutputWindow.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
@@ -26,31 +26,50 @@ namespace tool
 namespace
 {
 
-// What has a listener writes nothing itself.
-class Error_listener : public vtkCommand
+// Takes what all objects of VTK tell, those within its readers too, in place of the standard error: of each thread the
+// first error.
+class Error_log : public vtkOutputWindow
 {
 public:
-  static Error_listener* New() { return new Error_listener; }
-
-  void Execute(vtkObject*, unsigned long, void* message) override
+  static Error_log* New()
   {
-    if (m_error.empty() && message != nullptr)
-      m_error = static_cast<const char*>(message);
+    auto* log = new Error_log;
+    log->InitializeObjectBase();
+    return log;
   }
 
-  bool is_silent() const { return m_error.empty(); }
-
-  // Without the place in VTK's source, which ends with an address.
-  std::string error() const
+  void DisplayText(const char*) override {}
+  void DisplayErrorText(const char* message) override
   {
-    const std::size_t place = m_error.find("): ");
-    const std::string text = place == std::string::npos ? m_error : m_error.substr(place + 3);
-    return text.substr(0, text.find('\n'));
+    if (error().empty())
+      error() = message;
   }
 
-private:
-  std::string m_error;
+  static std::string& error()
+  {
+    static thread_local std::string message;
+    return message;
+  }
 };
+
+void log_errors()
+{
+  [[maybe_unused]] static const bool is_done = []
+  {
+    vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+    vtkOutputWindow::SetInstance(vtkNew<Error_log>());
+    return true;
+  }();
+  Error_log::error().clear();
+}
+
+// Without the place in VTK's source, which ends with an address.
+std::string first_line(const std::string& error)
+{
+  const std::size_t place = error.find("): ");
+  const std::string text = place == std::string::npos ? error : error.substr(place + 3);
+  return text.substr(0, text.find('\n'));
+}
 
 // The corners of each cell of an array whose indices VTK has not checked.
 class Cells
@@ -115,17 +134,13 @@ Polygon_soup soup_of(vtkPolyData& data)
 
 Polygon_soup read_VTP(const std::string& bytes)
 {
-  const vtkNew<Error_listener> listener;
+  log_errors();
   const vtkNew<vtkXMLPolyDataReader> reader;
-  reader->AddObserver(vtkCommand::ErrorEvent, listener);
-  reader->SetReaderErrorObserver(listener);
-  reader->SetParserErrorObserver(listener);
-  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, listener);
   reader->ReadFromInputStringOn();
   reader->SetInputString(bytes);
   reader->Update();
-  if (!listener->is_silent())
-    throw Format_error("is not a well-formed VTP file: " + listener->error());
+  if (!Error_log::error().empty())
+    throw Format_error("is not a well-formed VTP file: " + first_line(Error_log::error()));
   return soup_of(*reader->GetOutput());
 }
 
