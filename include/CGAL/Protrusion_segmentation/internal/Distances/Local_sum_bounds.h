@@ -71,8 +71,9 @@ public:
   }
 
 private:
-  // The ball is a 16th of the surface, but not small.
-  static constexpr Index ball_share = 16;
+  // The ball is a 32nd of the surface, but not small. On parts of Princeton models one twice as large takes 2 % fewer
+  // visits and more time, above all where there are many faces; with 256 faces at least there are 8 % more visits.
+  static constexpr Index ball_share = 32;
   static constexpr Index least_ball_size = 512;
   // Bounds are computed in the middle of the ball, for the others the path out of it is too short ...
   static constexpr double share_of_radius = 0.5;
