@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -24,7 +25,7 @@ The geodesic distance GD of Section III.B.2: the length of the shortest path in 
 
 The face of eq. (1) is found exactly, with a search that computes the shortest paths of a handful of faces
 in place of all: upper bounds of the sums rule the others out. One computation takes linear time in
-practice. The flatter the sums, the more are needed: 10 to 50 where there are protrusions, 100 to 400 for
+practice. The flatter the sums, the more are needed: 5 to 20 where there are protrusions, up to 100 for
 round bodies of some ten thousand faces, 1000 for a sphere of eighty thousand.
 
 \cgalModels{ProtrusionDistance}
@@ -55,7 +56,7 @@ public:
     /// \param distances is filled with the distances of all faces
     void operator()(Indexed_surface::Index source, std::vector<double>& distances)
     {
-      m_shortest_distances(source, distances);
+      (*this)(source, distances, internal::Shortest_distances::unreachable());
     }
     /// computes the distances from a face up to a bound.
     /// \param source the face
@@ -63,13 +64,18 @@ public:
     /// \param bound the largest distance of interest
     void operator()(Indexed_surface::Index source, std::vector<double>& distances, double bound)
     {
-      m_shortest_distances(source, distances, bound);
+      if (source == m_kept_source && !m_kept.empty())
+        distances = std::exchange(m_kept, {});
+      else
+        m_shortest_distances(source, distances, bound);
     }
     /// \return the face of eq. (1)
     Indexed_surface::Index face_of_largest_sum()
     {
-      using Search = internal::Largest_distance_sum<internal::Shortest_distances>;
-      return Search(m_surface, m_shortest_distances, m_execution)(m_maximum_number_of_visits);
+      internal::Largest_distance_sum<internal::Shortest_distances> search(m_surface, m_shortest_distances, m_execution);
+      m_kept_source = search(m_maximum_number_of_visits);
+      m_kept = search.take_distances_from_best();
+      return m_kept_source;
     }
     /// \return how many shortest path computations there were so far
     std::size_t number_of_runs() const { return m_shortest_distances.number_of_runs(); }
@@ -79,6 +85,9 @@ public:
     std::size_t m_maximum_number_of_visits;
     Execution& m_execution;
     internal::Shortest_distances m_shortest_distances;
+    // who asks for the face of eq. (1) asks for its distances next
+    Indexed_surface::Index m_kept_source = 0;
+    std::vector<double> m_kept;
   };
 
   /// \return the number of faces whose shortest paths the search for the face of eq. (1) may compute before

@@ -35,6 +35,7 @@ struct Segment_surface
   Extracted_segment extracted; // without a surface if it is all of `whole`, which would be there twice
   const Indexed_surface& surface;
   std::unique_ptr<Distances_on_surface> distances; // refer to the surface
+  std::vector<std::vector<double>> from_tips;      // of the first records, for a surface that is not large
 
   Segment_surface(Indexed_surface::Index id_,
                   Extracted_segment extracted_,
@@ -55,6 +56,16 @@ struct Segment_surface
     return static_cast<Indexed_surface::Index>(
       std::lower_bound(faces.begin(), faces.end(), face_of_whole_surface) - faces.begin());
   }
+
+  // The distances from the next tip may be wanted a second time.
+  void keep(const std::vector<double>& from_tip)
+  {
+    if ((from_tips.size() + 1) * from_tip.size() <= most_kept_distances)
+      from_tips.push_back(from_tip);
+  }
+
+private:
+  static constexpr std::size_t most_kept_distances = std::size_t(1) << 20; // 8 MB
 };
 
 // The flow of Fig. 2: tips in the largest segment, a border for each, labels, until there are enough
@@ -208,6 +219,7 @@ private:
         else
           m_observer.tip_selected(extracted.faces[face]);
         add_record(segment, face, distances, section);
+        segment.keep(distances);
       });
   }
 
@@ -290,7 +302,10 @@ private:
       if (labels[record.tip] != segment.id)
         continue;
       const double border_distance = record.histogram.slot_begin(tip_border.second.slot);
-      (*segment.distances)(record.tip, distances, border_distance);
+      if (tip_border.first < segment.from_tips.size())
+        distances = std::move(segment.from_tips[tip_border.first]);
+      else
+        (*segment.distances)(record.tip, distances, border_distance);
       const auto is_near = [&](Index f) { return distances[f] < border_distance; };
       if (!leaves_a_face(labels, segment.id, is_near))
         continue;

@@ -31,8 +31,19 @@ struct Section_plane
   double height(const Indexed_surface::Point_3& p) const { return (p - origin) * normal; }
 };
 
+// The largest squared distance between two points, by all pairs.
+template <typename Point_2>
+double largest_squared_distance(const std::vector<Point_2>& points)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      largest = (std::max)(largest, squared_distance(points[i], points[j]));
+  return largest;
+}
+
 // The largest distance between two points of a plane with the given normal: convex hull, then the
-// antipodal pairs of its vertices. O(n log n).
+// antipodal pairs of its vertices, O(n log n); of few points all pairs, which take less time.
 inline double planar_diameter(const std::vector<Indexed_surface::Point_3>& points,
                               const Indexed_surface::Vector_3& normal)
 {
@@ -53,6 +64,9 @@ inline double planar_diameter(const std::vector<Indexed_surface::Point_3>& point
   projected.reserve(points.size());
   for (const Indexed_surface::Point_3& p : points)
     projected.emplace_back((p - points.front()) * u, (p - points.front()) * v);
+  constexpr std::size_t few_points = 64; // two thousand pairs, a microsecond or two
+  if (projected.size() <= few_points)
+    return std::sqrt(largest_squared_distance(projected));
   convex_hull_2(projected.begin(), projected.end(), std::back_inserter(hull));
 
   // the ends of nearly collinear points, whose hull is so thin that rounding misleads the walk below
