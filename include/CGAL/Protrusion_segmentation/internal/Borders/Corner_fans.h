@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <limits>
