@@ -7,8 +7,8 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 
+#include <boost/property_map/property_map.hpp> // before what calls its functions without including it
 #include <boost/pending/disjoint_sets.hpp>
-#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <limits>
