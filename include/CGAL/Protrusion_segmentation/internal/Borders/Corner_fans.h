@@ -6,9 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_CORNER_FANS_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-
-#include <boost/property_map/property_map.hpp> // before what calls its functions without including it
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 
 #include <algorithm>
 #include <limits>
@@ -44,7 +42,7 @@ public:
   Corner_fans(const Indexed_surface& surface, const std::vector<Index>& segment_of_face, const Kept_borders& kept)
     : m_fan_of_corner(surface.number_of_corners())
   {
-    boost::disjoint_sets_with_storage<> sets(surface.number_of_corners());
+    Disjoint_sets sets(surface.number_of_corners());
     for (Index f = 0; f < surface.number_of_faces(); ++f)
       for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
         if (const Index g = surface.neighbor(c);
@@ -70,7 +68,6 @@ private:
     return corner;
   }
 
-  template <typename Disjoint_sets>
   void number_fans(Disjoint_sets& sets)
   {
     const Index none = (std::numeric_limits<Index>::max)();

@@ -6,9 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_CUT_SURFACE_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-
-#include <boost/property_map/property_map.hpp> // before what calls its functions without including it
-#include <boost/pending/disjoint_sets.hpp>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 
 #include <algorithm>
 #include <array>
@@ -80,7 +78,7 @@ struct Cut_surface
   // Of how many connected sets of pieces each segment consists.
   std::vector<std::size_t> connected_parts(const std::vector<Inner_edge>& edges, std::size_t number_of_segments) const
   {
-    boost::disjoint_sets_with_storage<> sets(pieces.size());
+    Disjoint_sets sets(pieces.size());
     for (const Inner_edge& edge : edges)
       if (pieces[edge.piece].segment == pieces[edge.other_piece].segment)
         sets.union_set(edge.piece, edge.other_piece);
