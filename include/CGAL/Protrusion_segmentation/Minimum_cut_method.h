@@ -31,8 +31,8 @@ around a candidate is better, it takes its place. The value of a cut is estimate
 lies in a concave seam, its length, how suddenly the surface widens behind it, how round it is and others, and from
 the areas on both sides. The cuts are chosen together: the three best sets of cuts are kept while segments are added,
 each tried with its four best further cuts, and the set with the largest sum of values wins. Without a number of
-segments, a least evident value is subtracted from each value, so that only evident cuts are made. In the end, the
-borders between all neighboring segments become minimum cuts once more, on the faces.
+segments, the largest drop of what one more brings ends them, between cuts that are surely evident and cuts that are
+not. In the end, the borders between all neighboring segments become minimum cuts once more, on the faces.
 
 Every connected component is judged by itself, in its own unit of length; with a number of segments given, each
 further segment goes to the component where it brings most.

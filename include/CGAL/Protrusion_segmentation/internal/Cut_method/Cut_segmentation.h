@@ -10,6 +10,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Component_cuts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Component_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/evident_number.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/Next_segment.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
@@ -115,38 +116,20 @@ private:
   // Of the whole time, normals and coarse graphs take about that share.
   static constexpr double preparation_share = 0.5;
 
-  // Cuts of less value are not evident, those of more are. Above 0 people would rather cut than not. On the development
-  // models of the Princeton benchmark the Rand index error is .091 with these two, as with one limit of .04, and .092 with
-  // .02 and .08 or .04 and .07. When vertices move by a hundredth of an edge, the number of segments stays on 72 of 95
-  // models with these two, with one limit on 68.
-  static constexpr double least_evident_value = 0.02;
-  static constexpr double surely_evident_value = 0.06;
-
   // What one segment more brings to a component.
   double gain(std::size_t c, std::size_t number)
   {
     return m_cuts[c]->best(number + 1)->value - m_cuts[c]->best(number)->value;
   }
 
-  // As many as there are before the largest drop of what one segment more brings, from surely evident to not evident. A
-  // limit would fall between cuts of nearly the same value, so that of a pair of legs one would be cut off, and another
-  // one when a vertex moves. The search goes on for as long as there are evident cuts.
   std::size_t evident_number_of_segments(std::size_t c)
   {
-    std::size_t best = 1;
-    double largest_drop = 0, before = surely_evident_value;
-    for (std::size_t number = 1; before > least_evident_value; ++number)
-    {
-      const Next_segment progress(m_execution, number, std::nullopt);
-      const double next = m_cuts[c]->best(number + 1) ? (std::max)(gain(c, number), least_evident_value) : least_evident_value;
-      if (before - next > largest_drop)
+    return internal::evident_number_of_segments(
+      [&](std::size_t number)
       {
-        largest_drop = before - next;
-        best = number;
-      }
-      before = (std::min)(before, next);
-    }
-    return best;
+        const Next_segment progress(m_execution, number, std::nullopt);
+        return m_cuts[c]->best(number + 1) ? std::optional<double>(gain(c, number)) : std::nullopt;
+      });
   }
 
   // In the coordinates and the order of faces that a component has in a mesh of its own: sums are rounded alike then,
