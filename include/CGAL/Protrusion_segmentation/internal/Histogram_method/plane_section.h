@@ -32,8 +32,8 @@ struct Section_plane
 };
 
 // The largest squared distance between two points, by all pairs.
-template <typename Point_2>
-double largest_squared_distance(const std::vector<Point_2>& points)
+template <typename Point>
+double largest_squared_distance(const std::vector<Point>& points)
 {
   double largest = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
