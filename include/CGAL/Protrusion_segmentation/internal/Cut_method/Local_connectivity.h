@@ -91,10 +91,11 @@ private:
   // Returns whether they were two.
   bool join(Index a, Index b)
   {
-    const bool were_two = m_met.find_set(a) != m_met.find_set(b);
-    if (were_two)
-      m_met.union_set(a, b);
-    return were_two;
+    a = m_met.find_set(a);
+    b = m_met.find_set(b);
+    if (a != b)
+      m_met.link(a, b);
+    return a != b;
   }
 
   const Graph_partition& m_partition;

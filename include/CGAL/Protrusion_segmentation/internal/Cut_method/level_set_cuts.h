@@ -145,8 +145,7 @@ private:
     larger.cost = m_components[a].cost + m_components[b].cost;
     if (a_counts == b_counts)
       larger.forget_best();
-    m_sets.union_set(a, b);
-    const Index root = m_sets.find_set(a);
+    const Index root = m_sets.link(a, b);
     m_components[root] = larger;
     return root;
   }
