@@ -2,12 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What methods and distances do, for the tests, which see declarations only: `internal/inline.h` says more.
+// What the methods do, for the tests, which see declarations only: `internal/inline.h` says more.
 
 #define CGAL_PROTRUSION_SEGMENTATION_INLINE
 
-#include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
-#include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
-#include <CGAL/Protrusion_segmentation/Heat_distance.h>
 #include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
