@@ -5,15 +5,12 @@ if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   return()
 endif()
 
-# A header that a program does not need costs it time, too: those of segmentations are for the programs without
-# optimization, which nearly all tests are.
-set(headers_of_meshes
+set(headers
   <boost/pending/disjoint_sets.hpp> # does not compile after the headers of Boost Graph
   <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> <CGAL/boost/graph/Euler_operations.h>
   <CGAL/boost/graph/helpers.h> <CGAL/Named_function_parameters.h> <boost/graph/dijkstra_shortest_paths.hpp>
   <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <iostream> <map> <numeric> <optional>
-  <random> <set> <sstream> <string> <vector>)
-set(headers_of_segmentations
+  <random> <set> <sstream> <string> <vector>
   <CGAL/protrusion_segmentation.h> <CGAL/segmentation_metrics.h> <CGAL/boost/graph/generators.h>)
 
 function(protrusion_precompile set options)
@@ -24,8 +21,8 @@ function(protrusion_precompile set options)
   target_precompile_headers(precompiled_${set} PRIVATE ${ARGN})
 endfunction()
 
-protrusion_precompile(optimized "" ${headers_of_meshes})
-protrusion_precompile(unoptimized -O0 ${headers_of_meshes} ${headers_of_segmentations})
+protrusion_precompile(optimized "" ${headers})
+protrusion_precompile(unoptimized -O0 ${headers})
 
 # For every target with sources of its own that is compiled as programs are.
 function(protrusion_reuse_precompiled_headers folder)
