@@ -5,13 +5,12 @@
 // What the quality benchmark concludes from scores, and how it reads the segmentations of others.
 
 #include "check.h"
+#include "Benchmark_folder.h"
 #include "Model_classes.h"
 #include "Segment_network.h"
 #include "Segmentation_folder.h"
 #include "bootstrap.h"
 #include "comparison.h"
-
-#include <CGAL/boost/graph/generators.h>
 
 #include <algorithm>
 #include <cmath>
@@ -225,17 +224,10 @@ private:
   fs::path m_path;
 };
 
-Mesh tetrahedron()
-{
-  Mesh mesh;
-  CGAL::make_tetrahedron(Point(0, 0, 0), Point(1, 0, 0), Point(0, 1, 0), Point(0, 0, 1), mesh);
-  return mesh;
-}
-
 void test_folder()
 {
   const Work_folder work;
-  const Mesh mesh = tetrahedron();
+  const File_faces faces(4);
   work.write("1.seg", "0\n1\n1\n3\n");
   work.write("1.seconds", "2.5\n");
   work.write("2/2_0.seg", "7\n7\n7\n7\n");
@@ -247,15 +239,15 @@ void test_folder()
 
   const Segmentation_folder folder("Mine=" + work.path());
   CHECK_EQUAL(folder.name(), "Mine");
-  CHECK(folder.labels(1, mesh) == Labels({0, 1, 1, 3}));
+  CHECK(folder.labels(1, faces) == Labels({0, 1, 1, 3}));
   CHECK_EQUAL(*folder.seconds(1), 2.5);
-  CHECK(folder.labels(2, mesh) == Labels({7, 7, 7, 7}));
+  CHECK(folder.labels(2, faces) == Labels({7, 7, 7, 7}));
   CHECK(!folder.seconds(2).has_value());
-  CHECK_THROWS_WITH(folder.labels(3, mesh), std::runtime_error, "more than one");
-  CHECK_THROWS_WITH(folder.labels(4, mesh), std::runtime_error, "4.seg: there are only 2 segment ids");
-  CHECK_THROWS_WITH(folder.labels(5, mesh), std::runtime_error, "5.seg: line 3");
+  CHECK_THROWS_WITH(folder.labels(3, faces), std::runtime_error, "more than one");
+  CHECK_THROWS_WITH(folder.labels(4, faces), std::runtime_error, "4.seg: there are only 2 segment ids");
+  CHECK_THROWS_WITH(folder.labels(5, faces), std::runtime_error, "5.seg: line 3");
   CHECK_THROWS_WITH(folder.seconds(5), std::runtime_error, "5.seconds");
-  CHECK_THROWS_WITH(folder.labels(6, mesh), std::runtime_error, "6.seg: there is no such file");
+  CHECK_THROWS_WITH(folder.labels(6, faces), std::runtime_error, "6.seg: there is no such file");
 }
 
 void test_wrong_folders()
@@ -272,15 +264,43 @@ void test_wrong_folders()
 void test_written_folder()
 {
   const Work_folder work;
-  const Mesh mesh = tetrahedron();
+  const File_faces faces(4);
   const Labels labels = {4, 0, 0, 2};
-  add_to_segmentation_folder(work.path("a/b"), 12, mesh, labels, 0.25);
-  add_to_segmentation_folder(work.path("a/b"), 13, mesh, labels, std::nullopt);
+  add_to_segmentation_folder(work.path("a/b"), 12, faces, labels, 0.25);
+  add_to_segmentation_folder(work.path("a/b"), 13, faces, labels, std::nullopt);
   const Segmentation_folder folder("B=" + work.path("a/b"));
-  CHECK(folder.labels(12, mesh) == labels);
+  CHECK(folder.labels(12, faces) == labels);
   CHECK_EQUAL(*folder.seconds(12), 0.25);
-  CHECK(folder.labels(13, mesh) == labels);
+  CHECK(folder.labels(13, faces) == labels);
   CHECK(!folder.seconds(13).has_value());
+}
+
+// A folder with two models, the second with a face of no area between two faces, and one of the first face again, turned
+// over; the third cannot be read.
+void test_models()
+{
+  const Work_folder work;
+  const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+  work.write("off/1.off", "OFF 4 2 0\n" + vertices + "3 0 1 2\n3 2 1 3\n");
+  work.write("off/2.off", "OFF 4 4 0\n" + vertices + "3 0 1 2\n3 1 1 2\n3 2 1 3\n3 2 1 0\n");
+  work.write("off/3.off", "OFF 4 1 0\n" + vertices + "3 0 1 4\n");
+  work.write("seg/1/1_0.seg", "5\n6\n");
+  work.write("seg/2/2_0.seg", "5\n8\n6\n9\n");
+  work.write("seg/3/3_0.seg", "5\n");
+  work.write("nSeg-ByModel.txt", "2\n2\n2\n");
+
+  const Benchmark_folder folder(work.path());
+  CHECK(folder.models("") == std::vector<int>({1, 2, 3}));
+  for (const int number : {1, 2})
+  {
+    const Model model = folder.read_model(number);
+    CHECK_EQUAL(model.mesh.number_of_faces(), 2);
+    CHECK_EQUAL(model.humans.size(), 1);
+    CHECK(model.humans.front() == Labels({5, 6}));
+    CHECK(model.faces.labels_of_file({5, 6}) == (number == 1 ? Labels({5, 6}) : Labels({5, 5, 6, 5})) ||
+          model.faces.labels_of_file({5, 6}) == Labels({5, 6, 6, 5}));
+  }
+  CHECK_THROWS_WITH(folder.read_model(3), std::runtime_error, "3.off: line 6: ");
 }
 
 } // namespace
@@ -298,5 +318,6 @@ int main()
   test_folder();
   test_wrong_folders();
   test_written_folder();
+  test_models();
   return check::result();
 }

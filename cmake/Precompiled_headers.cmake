@@ -5,17 +5,14 @@ if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   return()
 endif()
 
-# Two sets, since every header that a program does not need costs it time, too.
-set(headers_of_meshes
+set(headers
   <boost/pending/disjoint_sets.hpp> # does not compile after the headers of Boost Graph
   <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> <CGAL/boost/graph/Euler_operations.h>
   <CGAL/boost/graph/helpers.h> <CGAL/Named_function_parameters.h> <boost/graph/dijkstra_shortest_paths.hpp>
   <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <iostream> <map> <numeric> <optional>
-  <random> <set> <sstream> <string> <vector>)
-set(headers_of_segmentations
+  <random> <set> <sstream> <string> <vector>
   <CGAL/protrusion_segmentation.h> <CGAL/segmentation_metrics.h> <CGAL/boost/graph/generators.h>)
 
-# Each for the programs that are optimized and for those that are not.
 function(protrusion_precompile set options)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${set}.cpp CONTENT "")
   add_library(precompiled_${set} OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${set}.cpp)
@@ -24,12 +21,10 @@ function(protrusion_precompile set options)
   target_precompile_headers(precompiled_${set} PRIVATE ${ARGN})
 endfunction()
 
-protrusion_precompile(meshes "" ${headers_of_meshes})
-protrusion_precompile(segmentations "" ${headers_of_meshes} ${headers_of_segmentations})
-protrusion_precompile(meshes_unoptimized -O0 ${headers_of_meshes})
-protrusion_precompile(segmentations_unoptimized -O0 ${headers_of_meshes} ${headers_of_segmentations})
+protrusion_precompile(optimized "" ${headers})
+protrusion_precompile(unoptimized -O0 ${headers})
 
-# Every target with sources of its own that is compiled as programs are gets the set that its first source needs.
+# For every target with sources of its own that is compiled as programs are.
 function(protrusion_reuse_precompiled_headers folder)
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target ${targets})
@@ -41,19 +36,10 @@ function(protrusion_reuse_precompiled_headers folder)
        NOT libraries MATCHES "protrusion_(program|mesh_reader|tool_support)")
       continue()
     endif()
-    get_target_property(sources ${target} SOURCES)
-    list(GET sources 0 source)
-    get_target_property(source_folder ${target} SOURCE_DIR)
-    get_filename_component(source ${source} ABSOLUTE BASE_DIR ${source_folder})
-    file(STRINGS ${source} includes LIMIT_COUNT 1 REGEX
-      "#include [<\"]([^>\"]*/)?(protrusion_segmentation|all_public_headers|mesh|mesh_types|segmentations)\\.h")
-    set(headers meshes)
-    if(includes)
-      set(headers segmentations)
-    endif()
     get_target_property(options ${target} COMPILE_OPTIONS)
+    set(headers optimized)
     if("-O0" IN_LIST options)
-      string(APPEND headers _unoptimized)
+      set(headers unoptimized)
     endif()
     target_precompile_headers(${target} REUSE_FROM precompiled_${headers})
     target_compile_options(${target} PRIVATE -fpch-preprocess)

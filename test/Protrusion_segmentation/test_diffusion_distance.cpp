@@ -11,6 +11,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/diffusion_map.h>
 
 #include <Eigen/Dense>
 

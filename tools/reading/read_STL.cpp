@@ -7,6 +7,7 @@
 
 #include "reading/formats.h"
 
+#include "command_line/number.h"
 #include "reading/Normalized_text.h"
 
 #include <CGAL/IO/STL.h>
@@ -20,6 +21,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 namespace tool
 {
@@ -150,8 +152,19 @@ private:
     ++m_vertices;
     m_text << "vertex";
     for (int i = 0; i < 3; ++i)
-      m_text << " " << take_word(words);
+      m_text << " " << take_coordinate(words);
     m_text.end_line(m_line);
+  }
+
+  // CGAL's reader would not tell which line it stops at.
+  std::string_view take_coordinate(std::string_view& words) const
+  {
+    const std::string_view word = take_word(words);
+    double coordinate = 0;
+    const std::errc error = parse_number(word, coordinate); // one out of range may be 0
+    if (error == std::errc::invalid_argument || !std::isfinite(coordinate))
+      throw Format_error(m_line, quote(word) + " is no coordinate");
+    return word;
   }
 
   void end_facet()

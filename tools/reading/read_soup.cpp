@@ -103,10 +103,19 @@ void check(const Polygon_soup& soup)
                            std::to_string(soup.points.size()) + " vertices");
 }
 
+// By its byte order mark, without which text is hardly saved so.
+bool is_UTF_16(const std::string& bytes)
+{
+  const std::string mark = bytes.substr(0, 2);
+  return (mark == "\xff\xfe" || mark == "\xfe\xff") && !is_binary_STL(bytes);
+}
+
 Polygon_soup read_checked(const std::string& file_name)
 {
   std::string extension = extension_of(file_name);
   const std::string bytes = read_bytes(file_name);
+  if (is_UTF_16(bytes))
+    throw Format_error("is text in UTF-16; mesh files are in ASCII or UTF-8");
   if (file_name == "-")
     extension = extension_of_content(bytes);
   const Format* format = find_format(extension);

@@ -10,10 +10,11 @@
 #include "named_methods.h"
 #include "peers.h"
 #include "protrusion_methods.h"
+#include "read_mesh.h"
 #include "sdf_methods.h"
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Protrusion_segmentation/internal/Metrics/overlap_errors.h>
+#include <CGAL/boost/graph/helpers.h>
 
 #include <CLI/CLI.hpp>
 
@@ -144,6 +145,23 @@ void write_table(const std::vector<Change_of_mesh>& changes,
   }
 }
 
+// Empty, after a line that says why, if it is left out.
+Mesh triangle_mesh(const std::string& file)
+{
+  try
+  {
+    Mesh mesh = read_mesh(file).mesh;
+    if (CGAL::is_triangle_mesh(mesh))
+      return mesh;
+    std::cerr << file << ": left out, since it is no mesh of triangles" << std::endl;
+  }
+  catch (const std::runtime_error& error)
+  {
+    std::cerr << error.what() << ": left out" << std::endl;
+  }
+  return Mesh();
+}
+
 void run(const Options& options)
 {
   if (options.every == 0)
@@ -155,15 +173,10 @@ void run(const Options& options)
   std::size_t number_of_meshes = 0;
   for (std::size_t i = 0; i < files.size(); i += options.every)
   {
-    Mesh mesh;
-    if (!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(files[i], mesh) || mesh.is_empty() ||
-        !CGAL::is_triangle_mesh(mesh))
-    {
-      std::cerr << files[i] << ": left out, since it is no mesh of triangles" << std::endl;
+    const Mesh mesh = triangle_mesh(files[i]);
+    if (mesh.is_empty())
       continue;
-    }
     std::cerr << files[i] << std::endl;
-    mesh.collect_garbage();
     measure(mesh, changes, methods, tallies);
     ++number_of_meshes;
   }

@@ -5,8 +5,7 @@
 #include "Benchmark_folder.h"
 
 #include "Segmentation_folder.h"
-
-#include <CGAL/boost/graph/IO/polygon_mesh_io.h>
+#include "read_mesh.h"
 
 #include <algorithm>
 #include <cctype>
@@ -90,8 +89,9 @@ Model Benchmark_folder::read_model(int number) const
   model.number_of_segments = m_numbers_of_segments.at(std::size_t(number - 1));
 
   const std::string mesh_file = (fs::path(m_path) / "off" / (name + ".off")).string();
-  if(!CGAL::IO::read_polygon_mesh(mesh_file, model.mesh) || model.mesh.is_empty())
-    throw std::runtime_error(mesh_file + ": cannot be read");
+  Mesh_of_file read = read_mesh(mesh_file);
+  model.mesh = std::move(read.mesh);
+  model.faces = std::move(read.faces);
 
   std::vector<fs::path> files;
   for(const fs::directory_entry& entry : fs::directory_iterator(fs::path(m_path) / "seg" / name))
@@ -99,7 +99,7 @@ Model Benchmark_folder::read_model(int number) const
       files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for(const fs::path& file : files)
-    model.humans.push_back(read_labels(file.string(), model.mesh));
+    model.humans.push_back(read_labels(file.string(), model.faces));
   if(model.humans.empty())
     throw std::runtime_error("model " + name + " has no human segmentation");
   return model;

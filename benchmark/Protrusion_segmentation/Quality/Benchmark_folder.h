@@ -11,6 +11,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_BENCHMARK_FOLDER_H
 #define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_BENCHMARK_FOLDER_H
 
+#include "File_faces.h"
 #include "Model_classes.h"
 #include "Segmentation_method.h"
 
@@ -24,7 +25,8 @@ struct Model
   std::string class_name;
   std::size_t number_of_segments = 0;
   Mesh mesh;
-  std::vector<Labels> humans;
+  File_faces faces;
+  std::vector<Labels> humans; // of the faces of the mesh
 };
 
 class Benchmark_folder

@@ -8,8 +8,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -55,14 +57,17 @@ fs::path seconds_file(const std::string& path, int model)
 
 } // namespace
 
-Labels read_labels(const std::string& file_name, const Mesh& mesh)
+Labels read_labels(const std::string& file_name, const File_faces& faces)
 {
-  Labels labels(mesh.number_of_faces());
-  const std::string problem = CGAL::Protrusion_segmentation::internal::read_segments(
-    file_name, mesh, CGAL::make_property_map(labels));
+  std::ifstream in(file_name);
+  if (!in)
+    throw std::runtime_error(file_name + ": cannot be opened");
+  std::vector<std::uint64_t> ids;
+  const std::string problem = CGAL::Protrusion_segmentation::internal::parse_segment_ids(
+    in, faces.number_in_file(), (std::numeric_limits<std::size_t>::max)(), ids);
   if (!problem.empty())
     throw std::runtime_error(file_name + ": " + problem);
-  return labels;
+  return faces.labels_of_mesh(Labels(ids.begin(), ids.end()));
 }
 
 Segmentation_folder::Segmentation_folder(const std::string& name_and_path)
@@ -79,9 +84,9 @@ Segmentation_folder::Segmentation_folder(const std::string& name_and_path)
     throw std::invalid_argument(m_path + ": has no .seg files");
 }
 
-Labels Segmentation_folder::labels(int model, const Mesh& mesh) const
+Labels Segmentation_folder::labels(int model, const File_faces& faces) const
 {
-  return read_labels(segmentation_file(m_path, model).string(), mesh);
+  return read_labels(segmentation_file(m_path, model).string(), faces);
 }
 
 std::optional<double> Segmentation_folder::seconds(int model) const
@@ -98,14 +103,19 @@ std::optional<double> Segmentation_folder::seconds(int model) const
 
 void add_to_segmentation_folder(const std::string& path,
                                 int model,
-                                const Mesh& mesh,
+                                const File_faces& faces,
                                 const Labels& labels,
                                 const std::optional<double>& seconds)
 {
   using CGAL::Protrusion_segmentation::internal::write_complete_file;
   fs::create_directories(path);
   const std::string file = (fs::path(path) / (std::to_string(model) + ".seg")).string();
-  if (!CGAL::IO::write_SEG(file, mesh, label_map(labels)))
+  const auto write = [&](std::ostream& out)
+  {
+    for (const std::size_t label : faces.labels_of_file(labels))
+      out << label << "\n";
+  };
+  if (!write_complete_file(file, write))
     throw std::runtime_error(file + ": cannot be written");
   const std::string time_file = seconds_file(path, model).string();
   if (seconds && !write_complete_file(time_file, [&](std::ostream& out) { out << *seconds << "\n"; }))

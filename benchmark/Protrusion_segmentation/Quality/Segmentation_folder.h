@@ -10,13 +10,15 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_SEGMENTATION_FOLDER_H
 #define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_SEGMENTATION_FOLDER_H
 
+#include "File_faces.h"
 #include "Segmentation_method.h"
 
 #include <optional>
 #include <string>
 
-// The labels of a .seg file for the mesh. Throws `std::runtime_error`, which names the file, if it is none.
-Labels read_labels(const std::string& file_name, const Mesh& mesh);
+// The labels that a .seg file has for the mesh with these faces. Throws `std::runtime_error`, which names the file, if it
+// is none.
+Labels read_labels(const std::string& file_name, const File_faces& faces);
 
 class Segmentation_folder
 {
@@ -28,7 +30,7 @@ public:
   const std::string& name() const { return m_name; }
 
   // Throws `std::runtime_error` if there is no segmentation of the model, more than one, or a malformed one.
-  Labels labels(int model, const Mesh& mesh) const;
+  Labels labels(int model, const File_faces& faces) const;
 
   // Throws `std::runtime_error` if there is a file that has no such number.
   std::optional<double> seconds(int model) const;
@@ -42,7 +44,7 @@ private:
 // be written.
 void add_to_segmentation_folder(const std::string& path,
                                 int model,
-                                const Mesh& mesh,
+                                const File_faces& faces,
                                 const Labels& labels,
                                 const std::optional<double>& seconds);
 

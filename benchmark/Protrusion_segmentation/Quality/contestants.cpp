@@ -28,7 +28,7 @@ Contestant contestant(const Segmentation_method& method)
 Contestant contestant(const Segmentation_folder& folder)
 {
   return {folder.name(), [folder](const Model& model, unsigned int) -> Timed_labels {
-            return {folder.labels(model.number, model.mesh), folder.seconds(model.number)};
+            return {folder.labels(model.number, model.faces), folder.seconds(model.number)};
           }};
 }
 

@@ -65,7 +65,7 @@ Model_result run_contestant(const Contestant& contestant, const Model& model,
     timed.labels.assign(model.mesh.number_of_faces(), 0);
   }
   if(result.failure.empty() && !options.segmentations_output.empty())
-    add_to_segmentation_folder(options.segmentations_output + "/" + contestant.name, model.number, model.mesh,
+    add_to_segmentation_folder(options.segmentations_output + "/" + contestant.name, model.number, model.faces,
                                timed.labels, timed.seconds);
   result.scores = evaluator.scores(timed.labels);
   result.scores[Score::seconds] = timed.seconds;

@@ -13,9 +13,9 @@
 #include "named_methods.h"
 #include "peers.h"
 #include "protrusion_methods.h"
+#include "read_mesh.h"
 #include "sdf_methods.h"
 
-#include <CGAL/Polygon_mesh_processing/IO/polygon_mesh_io.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/validation.h>
 
@@ -45,7 +45,7 @@ struct Options
 // All files in the folder and the folders in it, in the order of their names.
 std::vector<fs::path> mesh_files(const Options& options)
 {
-  const std::vector<std::string> known = {".off", ".obj", ".ply", ".stl", ".ts"}; // that CGAL reads
+  const std::vector<std::string> known = {".off", ".obj", ".ply", ".stl", ".ts"};
   std::vector<fs::path> all, result;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(options.folder))
     if (entry.is_regular_file() &&
@@ -57,15 +57,16 @@ std::vector<fs::path> mesh_files(const Options& options)
   return result;
 }
 
-// Faces that do not fit together are oriented anew, and vertices duplicated.
 Mesh read(const fs::path& file)
 {
-  Mesh mesh;
-  if (!CGAL::Polygon_mesh_processing::IO::read_polygon_mesh(file.string(), mesh))
-    throw std::runtime_error("no mesh that can be read");
-  if (mesh.number_of_faces() == 0)
-    throw std::runtime_error("has no faces");
-  return mesh;
+  try
+  {
+    return read_mesh(file.string()).mesh;
+  }
+  catch (const std::runtime_error& error) // the tables have the name already
+  {
+    throw std::runtime_error(std::string(error.what()).substr(file.string().size() + 2));
+  }
 }
 
 std::string check_size(const Mesh& mesh, std::size_t maximum_number_of_faces)

@@ -9,9 +9,7 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/diffusion_map.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/random_walk.h>
+#include <CGAL/Protrusion_segmentation/internal/inline.h>
 
 #include <Eigen/Core>
 
@@ -71,31 +69,14 @@ public:
     On_surface(const Indexed_surface& surface,
                std::size_t number_of_eigenpairs,
                double time,
-               Execution& execution)
-      : m_surface(surface), m_execution(execution)
-    {
-      const internal::Random_walk walk = internal::make_random_walk(surface);
-      const internal::Eigenpairs pairs = internal::eigenpairs(walk, number_of_eigenpairs, execution);
-      const Eigen::Index size = static_cast<Eigen::Index>(pairs.size());
-      m_points.resize(size, surface.number_of_faces());
-      for (Eigen::Index k = 0; k < size; ++k)
-        m_points.row(k) = internal::decay(pairs.values, static_cast<std::size_t>(k), time) *
-                          internal::right_eigenvector(walk, pairs.vectors[static_cast<std::size_t>(k)]);
-    }
+               Execution& execution);
 
     /// computes the distances from a face.
     /// \param source the face
     /// \param distances is filled with the distances of all faces
-    void operator()(Indexed_surface::Index source, std::vector<double>& distances)
-    {
-      ++m_number_of_runs;
-      distances.resize(m_surface.number_of_faces());
-      const Eigen::VectorXd from = m_points.col(source);
-      for (Indexed_surface::Index f = 0; f < m_surface.number_of_faces(); ++f)
-        distances[f] = (m_points.col(f) - from).norm();
-    }
+    void operator()(Indexed_surface::Index source, std::vector<double>& distances);
     /// \return the face of eq. (1), found exactly: the distance is a metric
-    Indexed_surface::Index face_of_largest_sum() { return internal::largest_distance_sum(m_surface, *this, m_execution); }
+    Indexed_surface::Index face_of_largest_sum();
     /// \return from how many faces distances were computed so far
     std::size_t number_of_runs() const { return m_number_of_runs; }
 
@@ -156,6 +137,52 @@ private:
 
 } // namespace Protrusion_segmentation
 } // namespace CGAL
+
+#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
+
+#include <CGAL/Protrusion_segmentation/internal/Distances/diffusion_map.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/random_walk.h>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE
+Diffusion_distance::On_surface::On_surface(const Indexed_surface& surface,
+                                           std::size_t number_of_eigenpairs,
+                                           double time,
+                                           Execution& execution)
+  : m_surface(surface), m_execution(execution)
+{
+  const internal::Random_walk walk = internal::make_random_walk(surface);
+  const internal::Eigenpairs pairs = internal::eigenpairs(walk, number_of_eigenpairs, execution);
+  const Eigen::Index size = static_cast<Eigen::Index>(pairs.size());
+  m_points.resize(size, surface.number_of_faces());
+  for (Eigen::Index k = 0; k < size; ++k)
+    m_points.row(k) = internal::decay(pairs.values, static_cast<std::size_t>(k), time) *
+                      internal::right_eigenvector(walk, pairs.vectors[static_cast<std::size_t>(k)]);
+}
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE void
+Diffusion_distance::On_surface::operator()(Indexed_surface::Index source, std::vector<double>& distances)
+{
+  ++m_number_of_runs;
+  distances.resize(m_surface.number_of_faces());
+  const Eigen::VectorXd from = m_points.col(source);
+  for (Indexed_surface::Index f = 0; f < m_surface.number_of_faces(); ++f)
+    distances[f] = (m_points.col(f) - from).norm();
+}
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE Indexed_surface::Index
+Diffusion_distance::On_surface::face_of_largest_sum()
+{
+  return internal::largest_distance_sum(m_surface, *this, m_execution);
+}
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif
 
 #else // without Eigen or Spectra, the header compiles, and its use says what is missing
 

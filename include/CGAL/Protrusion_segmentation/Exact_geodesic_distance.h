@@ -7,19 +7,16 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Asking_map.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/triangulate_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/inline.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh_shortest_path.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <vector>
 
@@ -50,49 +47,14 @@ public:
   class On_surface
   {
   public:
-    On_surface(const Indexed_surface& surface, Execution& execution)
-      : m_surface(surface),
-        m_execution(execution),
-        m_triangulated(internal::triangulate_for_paths<Point>(surface)),
-        m_shortest_distances(surface)
-    {
-      if (!m_triangulated)
-        return;
-      const Mesh& mesh = m_triangulated->mesh;
-      const auto map = [&](auto tag) { return internal::Asking_map(get(tag, mesh), execution); };
-      m_paths = std::make_unique<Paths>(mesh, map(boost::vertex_index), map(boost::halfedge_index),
-                                        map(boost::face_index), map(vertex_point));
-      for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
-        m_centroids.push_back(locate_centroid(f));
-    }
+    On_surface(const Indexed_surface& surface, Execution& execution);
 
     /// computes the distances from a face.
     /// \param source the face
     /// \param distances is filled with the distances of all faces
-    void operator()(Indexed_surface::Index source, std::vector<double>& distances)
-    {
-      ++m_number_of_runs;
-      m_shortest_distances(source, distances);
-      if (!m_paths || !has_triangle(source))
-        return;
-      m_execution.check();
-      m_paths->remove_all_source_points();
-      m_paths->add_source_point(m_centroids[source].triangle, m_centroids[source].coordinates);
-      for (Indexed_surface::Index f = 0; f < m_surface.number_of_faces(); ++f)
-        if (has_triangle(f))
-        {
-          if (f % faces_between_questions == 0)
-            m_execution.check();
-          const double distance =
-            m_paths->shortest_distance_to_source_points(m_centroids[f].triangle, m_centroids[f].coordinates)
-              .first;
-          if (distance >= 0 && std::isfinite(distance)) // -1: on no path
-            distances[f] = distance;
-        }
-      distances[source] = 0;
-    }
+    void operator()(Indexed_surface::Index source, std::vector<double>& distances);
     /// \return the face of eq. (1), found exactly: the distance is a metric
-    Indexed_surface::Index face_of_largest_sum() { return internal::largest_distance_sum(m_surface, *this, m_execution); }
+    Indexed_surface::Index face_of_largest_sum();
     /// \return from how many faces distances were computed so far
     std::size_t number_of_runs() const { return m_number_of_runs; }
 
@@ -123,46 +85,11 @@ public:
 
     // The centroid of a face in the triangle of its fan that holds it, or holds it best where the fan
     // overlaps or misses it.
-    Location locate_centroid(Indexed_surface::Index f) const
-    {
-      Location best;
-      double best_margin = -(std::numeric_limits<double>::infinity)();
-      for (auto t = m_triangulated->first_triangle[f]; t < m_triangulated->first_triangle[f + 1]; ++t)
-      {
-        const Mesh::Face_index triangle(t);
-        std::array<double, 3> weights =
-          m_triangulated->first_triangle[f] + 1 == m_triangulated->first_triangle[f + 1]
-            ? std::array<double, 3>{1, 1, 1}
-            : weights_in_triangle(triangle, m_surface.centroid(f));
-        const double margin = *std::min_element(weights.begin(), weights.end());
-        if (margin <= best_margin)
-          continue;
-        best_margin = margin;
-        for (double& w : weights)
-          w = (std::max)(w, 0.);
-        const double sum = weights[0] + weights[1] + weights[2];
-        best = {triangle, {{weights[0] / sum, weights[1] / sum, weights[2] / sum}}};
-      }
-      return best;
-    }
-
+    Location locate_centroid(Indexed_surface::Index f) const;
     // Barycentric coordinates of the projection of a point, in the order of the corners that
     // `Surface_mesh_shortest_path` uses.
     std::array<double, 3> weights_in_triangle(Mesh::Face_index triangle,
-                                              const Indexed_surface::Point_3& centroid) const
-    {
-      const Mesh& mesh = m_triangulated->mesh;
-      const auto h = mesh.halfedge(triangle);
-      const std::array<Point, 3> corners = {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
-                                            mesh.point(mesh.target(mesh.next(h)))};
-      const Point p(centroid.x(), centroid.y(), centroid.z());
-      const Kernel::Vector_3 normal = cross_product(corners[1] - corners[0], corners[2] - corners[0]);
-      std::array<double, 3> weights;
-      for (std::size_t i = 0; i < 3; ++i)
-        weights[i] = cross_product(corners[(i + 1) % 3] - p, corners[(i + 2) % 3] - p) * normal /
-                     normal.squared_length();
-      return weights;
-    }
+                                              const Indexed_surface::Point_3& centroid) const;
 
     const Indexed_surface& m_surface;
     Execution& m_execution;
@@ -185,5 +112,108 @@ public:
 
 } // namespace Protrusion_segmentation
 } // namespace CGAL
+
+#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
+
+#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE
+Exact_geodesic_distance::On_surface::On_surface(const Indexed_surface& surface, Execution& execution)
+  : m_surface(surface),
+    m_execution(execution),
+    m_triangulated(internal::triangulate_for_paths<Point>(surface)),
+    m_shortest_distances(surface)
+{
+  if (!m_triangulated)
+    return;
+  const Mesh& mesh = m_triangulated->mesh;
+  const auto map = [&](auto tag) { return internal::Asking_map(get(tag, mesh), execution); };
+  m_paths = std::make_unique<Paths>(mesh, map(boost::vertex_index), map(boost::halfedge_index),
+                                    map(boost::face_index), map(vertex_point));
+  for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
+    m_centroids.push_back(locate_centroid(f));
+}
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE void
+Exact_geodesic_distance::On_surface::operator()(Indexed_surface::Index source, std::vector<double>& distances)
+{
+  ++m_number_of_runs;
+  m_shortest_distances(source, distances);
+  if (!m_paths || !has_triangle(source))
+    return;
+  m_execution.check();
+  m_paths->remove_all_source_points();
+  m_paths->add_source_point(m_centroids[source].triangle, m_centroids[source].coordinates);
+  for (Indexed_surface::Index f = 0; f < m_surface.number_of_faces(); ++f)
+    if (has_triangle(f))
+    {
+      if (f % faces_between_questions == 0)
+        m_execution.check();
+      const double distance =
+        m_paths->shortest_distance_to_source_points(m_centroids[f].triangle, m_centroids[f].coordinates).first;
+      if (distance >= 0 && std::isfinite(distance)) // -1: on no path
+        distances[f] = distance;
+    }
+  distances[source] = 0;
+}
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE Indexed_surface::Index
+Exact_geodesic_distance::On_surface::face_of_largest_sum()
+{
+  return internal::largest_distance_sum(m_surface, *this, m_execution);
+}
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE Exact_geodesic_distance::On_surface::Location
+Exact_geodesic_distance::On_surface::locate_centroid(Indexed_surface::Index f) const
+{
+  Location best;
+  double best_margin = -(std::numeric_limits<double>::infinity)();
+  for (auto t = m_triangulated->first_triangle[f]; t < m_triangulated->first_triangle[f + 1]; ++t)
+  {
+    const Mesh::Face_index triangle(t);
+    std::array<double, 3> weights =
+      m_triangulated->first_triangle[f] + 1 == m_triangulated->first_triangle[f + 1]
+        ? std::array<double, 3>{1, 1, 1}
+        : weights_in_triangle(triangle, m_surface.centroid(f));
+    const double margin = *std::min_element(weights.begin(), weights.end());
+    if (margin <= best_margin)
+      continue;
+    best_margin = margin;
+    for (double& w : weights)
+      w = (std::max)(w, 0.);
+    const double sum = weights[0] + weights[1] + weights[2];
+    best = {triangle, {{weights[0] / sum, weights[1] / sum, weights[2] / sum}}};
+  }
+  return best;
+}
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE std::array<double, 3>
+Exact_geodesic_distance::On_surface::weights_in_triangle(Mesh::Face_index triangle,
+                                                         const Indexed_surface::Point_3& centroid) const
+{
+  const Mesh& mesh = m_triangulated->mesh;
+  const auto h = mesh.halfedge(triangle);
+  const std::array<Point, 3> corners = {mesh.point(mesh.source(h)), mesh.point(mesh.target(h)),
+                                        mesh.point(mesh.target(mesh.next(h)))};
+  const Point p(centroid.x(), centroid.y(), centroid.z());
+  const Kernel::Vector_3 normal = cross_product(corners[1] - corners[0], corners[2] - corners[0]);
+  std::array<double, 3> weights;
+  for (std::size_t i = 0; i < 3; ++i)
+    weights[i] = cross_product(corners[(i + 1) % 3] - p, corners[(i + 2) % 3] - p) * normal /
+                 normal.squared_length();
+  return weights;
+}
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_EXACT_GEODESIC_DISTANCE_H

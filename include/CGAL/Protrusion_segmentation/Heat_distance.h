@@ -9,10 +9,10 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Asking_map.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/triangulate_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/inline.h>
 
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 
@@ -54,17 +54,7 @@ public:
   class On_surface
   {
   public:
-    On_surface(const Indexed_surface& surface, Execution& execution)
-      : m_surface(surface),
-        m_execution(execution),
-        m_triangulated(internal::triangulate_for_paths<Point>(surface)),
-        m_shortest_distances(surface)
-    {
-      execution.check();
-      if (m_triangulated)
-        m_heat_method = std::make_unique<Heat_method>(
-          m_triangulated->mesh, Point_map(get(vertex_point, m_triangulated->mesh), execution));
-    }
+    On_surface(const Indexed_surface& surface, Execution& execution);
 
     /// computes the distances from a face.
     /// \param source the face
@@ -76,7 +66,7 @@ public:
         m_shortest_distances(source, distances);
     }
     /// \return the face of eq. (1), up to the error of the distances
-    Indexed_surface::Index face_of_largest_sum() { return internal::largest_distance_sum(m_surface, *this, m_execution); }
+    Indexed_surface::Index face_of_largest_sum();
     /// \return from how many faces distances were computed so far
     std::size_t number_of_runs() const { return m_number_of_runs; }
 
@@ -101,27 +91,7 @@ public:
     }
 
     // Returns whether all distances are numbers.
-    bool heat_distances(Indexed_surface::Index source, std::vector<double>& distances)
-    {
-      if (!m_heat_method)
-        return false;
-      m_heat_method->clear_sources();
-      visit_vertices(source, [this](Mesh::Vertex_index v) { m_heat_method->add_source(v); });
-      m_of_vertex.resize(m_triangulated->mesh.number_of_vertices());
-      m_heat_method->estimate_geodesic_distances(
-        boost::make_iterator_property_map(m_of_vertex.begin(), get(vertex_index, m_triangulated->mesh)));
-      distances.assign(m_surface.number_of_faces(), 0);
-      for (Indexed_surface::Index f = 0; f < m_surface.number_of_faces(); ++f)
-      {
-        std::size_t count = 0;
-        visit_vertices(f, [&](Mesh::Vertex_index v)
-                       { distances[f] += (m_of_vertex[v] - distances[f]) / static_cast<double>(++count); });
-        // where the heat does not reach, the heat method's answer is not a number or the largest one
-        if (count == 0 || !(distances[f] < (std::numeric_limits<double>::max)() / 2))
-          return false;
-      }
-      return true;
-    }
+    bool heat_distances(Indexed_surface::Index source, std::vector<double>& distances);
 
     const Indexed_surface& m_surface;
     Execution& m_execution;
@@ -145,6 +115,60 @@ public:
 
 } // namespace Protrusion_segmentation
 } // namespace CGAL
+
+#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
+
+#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE
+Heat_distance::On_surface::On_surface(const Indexed_surface& surface, Execution& execution)
+  : m_surface(surface),
+    m_execution(execution),
+    m_triangulated(internal::triangulate_for_paths<Point>(surface)),
+    m_shortest_distances(surface)
+{
+  execution.check();
+  if (m_triangulated)
+    m_heat_method = std::make_unique<Heat_method>(
+      m_triangulated->mesh, Point_map(get(vertex_point, m_triangulated->mesh), execution));
+}
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE Indexed_surface::Index
+Heat_distance::On_surface::face_of_largest_sum()
+{
+  return internal::largest_distance_sum(m_surface, *this, m_execution);
+}
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE bool
+Heat_distance::On_surface::heat_distances(Indexed_surface::Index source, std::vector<double>& distances)
+{
+  if (!m_heat_method)
+    return false;
+  m_heat_method->clear_sources();
+  visit_vertices(source, [this](Mesh::Vertex_index v) { m_heat_method->add_source(v); });
+  m_of_vertex.resize(m_triangulated->mesh.number_of_vertices());
+  m_heat_method->estimate_geodesic_distances(
+    boost::make_iterator_property_map(m_of_vertex.begin(), get(vertex_index, m_triangulated->mesh)));
+  distances.assign(m_surface.number_of_faces(), 0);
+  for (Indexed_surface::Index f = 0; f < m_surface.number_of_faces(); ++f)
+  {
+    std::size_t count = 0;
+    visit_vertices(f, [&](Mesh::Vertex_index v)
+                   { distances[f] += (m_of_vertex[v] - distances[f]) / static_cast<double>(++count); });
+    // where the heat does not reach, the heat method's answer is not a number or the largest one
+    if (count == 0 || !(distances[f] < (std::numeric_limits<double>::max)() / 2))
+      return false;
+  }
+  return true;
+}
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif
 
 #else // without Eigen, the header compiles, and its use says what is missing
 

@@ -6,7 +6,6 @@
 #define CGAL_PROTRUSION_SEGMENTATION_HISTOGRAM_METHOD_H
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
-#include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
@@ -45,7 +44,7 @@ class Histogram_method
 {
 public:
   /// the method with `Geodesic_distance`
-  Histogram_method() : Histogram_method(Geodesic_distance()) {}
+  Histogram_method();
 
   /// the method with a distance of choice.
   /// \tparam Distance a model of `ProtrusionDistance`
@@ -111,10 +110,14 @@ private:
 
 #if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
 
+#include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/Histogram_segmentation.h>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE
+Histogram_method::Histogram_method() : Histogram_method(Geodesic_distance()) {}
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE internal::Nested_segments
 Histogram_method::segment(const Indexed_surface& surface,

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the methods do is `inline`, as all else. The package's own tests, which are many, compile it once: all but one
-// of their files define CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS and see no more than declarations; that one defines
+// What the methods and the distances that need a library do is `inline`, as all else. The package's own tests, which are
+// many, compile it once: all but one of their files define CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS and see no more than declarations; that one defines
 // CGAL_PROTRUSION_SEGMENTATION_INLINE as nothing.
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_INLINE_H

@@ -84,7 +84,7 @@ struct Cut_surface
         sets.union_set(edge.piece, edge.other_piece);
     std::vector<std::size_t> result(number_of_segments, 0);
     for (std::size_t p = 0; p < pieces.size(); ++p)
-      result[pieces[p].segment] += sets.find_set(p) == p ? 1 : 0;
+      result[pieces[p].segment] += sets.find_set(static_cast<Index>(p)) == p ? 1 : 0;
     return result;
   }
 

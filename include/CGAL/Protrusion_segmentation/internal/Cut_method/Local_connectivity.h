@@ -7,11 +7,9 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 
-#include <algorithm>
 #include <cstddef>
-#include <numeric>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -40,8 +38,7 @@ public:
   {
     const bool has_old_node = begin(segment, inner, changed);
     std::size_t number_of_fronts = m_queue.size();
-    m_root.resize(m_queue.size());
-    std::iota(m_root.begin(), m_root.end(), Index(0));
+    m_met.reset(m_queue.size());
     for (std::size_t k = 0; k < m_queue.size() && number_of_fronts > 1; ++k)
       for (Index arc : m_partition.graph().arcs(m_queue[k]))
       {
@@ -91,26 +88,20 @@ private:
     return m_queue.size() > number_of_new;
   }
 
-  Index find(Index front)
-  {
-    while (m_root[front] != front)
-      front = m_root[front] = m_root[m_root[front]];
-    return front;
-  }
-
   // Returns whether they were two.
   bool join(Index a, Index b)
   {
-    a = find(a);
-    b = find(b);
-    m_root[(std::max)(a, b)] = (std::min)(a, b);
+    a = m_met.find_set(a);
+    b = m_met.find_set(b);
+    if (a != b)
+      m_met.link(a, b);
     return a != b;
   }
 
   const Graph_partition& m_partition;
   std::vector<Index> m_front; // that reached a node
   Nodes m_queue;
-  std::vector<Index> m_root; // of the fronts that have met
+  Disjoint_sets m_met; // the fronts that have
 };
 
 } // namespace internal

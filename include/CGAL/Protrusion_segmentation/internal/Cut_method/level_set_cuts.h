@@ -6,12 +6,12 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_LEVEL_SET_CUTS_H
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -57,7 +57,7 @@ public:
   explicit Level_set_sweep(const Graph_partition& partition)
     : m_partition(partition),
       m_rank(partition.graph().number_of_nodes(), 0),
-      m_parent(partition.graph().number_of_nodes(), 0),
+      m_sets(partition.graph().number_of_nodes()),
       m_components(partition.graph().number_of_nodes())
   {}
 
@@ -87,7 +87,7 @@ public:
       }
     }
     if (!order.empty())
-      add(m_components[find(order.back())]);
+      add(m_components[m_sets.find_set(order.back())]);
   }
 
 private:
@@ -101,19 +101,12 @@ private:
     void forget_best() { best = (std::numeric_limits<double>::infinity)(); }
   };
 
-  Index find(Index i)
-  {
-    while (m_parent[i] != i)
-      i = m_parent[i] = m_parent[m_parent[i]];
-    return i;
-  }
-
-  // Adds `node` to the components that it touches, merging them; returns the root of the result.
+  // Adds `node` to the components that it touches, merging them; returns what stands for the result.
   template <typename Add>
   Index absorb(Index node, Add add)
   {
     const Weighted_dual_graph& graph = m_partition.graph();
-    m_parent[node] = node;
+    m_sets.make_set(node);
     m_components[node] = {graph.area[node], 0, 0, node};
     m_components[node].forget_best();
     Index root = node;
@@ -129,7 +122,7 @@ private:
         continue;
       }
       cost -= graph.capacity[arc];
-      const Index other = find(neighbor);
+      const Index other = m_sets.find_set(neighbor);
       if (other != root)
         root = merge(root, other, add);
     }
@@ -147,20 +140,20 @@ private:
       add(m_components[a]);
       add(m_components[b]);
     }
-    if (m_components[a].area < m_components[b].area)
-      std::swap(a, b);
-    m_parent[b] = a;
-    m_components[a].area += m_components[b].area;
-    m_components[a].cost += m_components[b].cost;
+    Component larger = m_components[m_components[a].area < m_components[b].area ? b : a];
+    larger.area = m_components[a].area + m_components[b].area;
+    larger.cost = m_components[a].cost + m_components[b].cost;
     if (a_counts == b_counts)
-      m_components[a].forget_best();
-    return a;
+      larger.forget_best();
+    const Index root = m_sets.link(a, b);
+    m_components[root] = larger;
+    return root;
   }
 
   const Graph_partition& m_partition;
   std::vector<Index> m_rank;
-  std::vector<Index> m_parent;
-  std::vector<Component> m_components;
+  Disjoint_sets m_sets;
+  std::vector<Component> m_components; // at the node that stands for each
 };
 
 } // namespace internal

@@ -5,6 +5,8 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_DISJOINT_SETS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_DISJOINT_SETS_H
 
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+
 #include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -20,26 +22,41 @@ namespace internal {
 class Disjoint_sets
 {
 public:
-  explicit Disjoint_sets(std::size_t n) : m_ranks(n), m_parents(n), m_sets(map_of(m_ranks), map_of(m_parents))
-  {
-    for (std::size_t i = 0; i < n; ++i)
-      m_sets.make_set(i);
-  }
-  Disjoint_sets(const Disjoint_sets&) = delete;
-  Disjoint_sets& operator=(const Disjoint_sets&) = delete;
+  using Index = Indexed_surface::Index;
 
-  void union_set(std::size_t a, std::size_t b) { m_sets.union_set(a, b); }
+  explicit Disjoint_sets(std::size_t n = 0) { reset(n); }
+
+  void reset(std::size_t n)
+  {
+    m_ranks.resize(n);
+    m_parents.resize(n);
+    for (std::size_t i = 0; i < n; ++i)
+      make_set(static_cast<Index>(i));
+  }
+
+  // `a` is alone again. None that is used afterwards may be in its set.
+  void make_set(Index a) { sets().make_set(a); }
+  void union_set(Index a, Index b) { sets().union_set(a, b); }
+  // The same for two numbers that stand for their sets. Returns the one that stands for both.
+  Index link(Index a, Index b)
+  {
+    sets().link(a, b);
+    return find_set(a);
+  }
   // the number that stands for the set of `a`
-  std::size_t find_set(std::size_t a) { return m_sets.find_set(a); }
+  Index find_set(Index a) { return sets().find_set(a); }
 
 private:
-  using Numbers = std::vector<std::size_t>;
-  using Map = boost::iterator_property_map<Numbers::iterator, boost::typed_identity_property_map<std::size_t>>;
+  template <typename Number>
+  using Map = boost::iterator_property_map<typename std::vector<Number>::iterator,
+                                           boost::typed_identity_property_map<std::size_t>>;
+  using Rank = unsigned char; // at most the binary logarithm of `n`
+  using Sets = boost::disjoint_sets<Map<Rank>, Map<Index>, boost::find_with_path_halving>;
 
-  static Map map_of(Numbers& numbers) { return Map(numbers.begin()); }
+  Sets sets() { return Sets(Map<Rank>(m_ranks.begin()), Map<Index>(m_parents.begin())); }
 
-  Numbers m_ranks, m_parents;
-  boost::disjoint_sets<Map, Map> m_sets;
+  std::vector<Rank> m_ranks;
+  std::vector<Index> m_parents;
 };
 
 } // namespace internal

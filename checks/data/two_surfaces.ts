@@ -1,0 +1,20 @@
+GOCAD TSurf 1
+HEADER {
+name:upper
+}
+TFACE
+VRTX 1 0 0 0
+VRTX 2 1 0 0
+VRTX 3 0 1 0
+TRGL 1 2 3
+END
+GOCAD TSurf 1
+HEADER {
+name:lower
+}
+TFACE
+VRTX 1 0 0 9
+VRTX 2 1 0 9
+VRTX 3 0 1 9
+TRGL 1 2 3
+END
