@@ -487,6 +487,23 @@ test_words()
   expect_text stdout '"components": 1,'
 }
 
+# A file that needs no repair is built as it is, without a search for repairs: the same comes of it as of one with a
+# face named twice, or with a point that no face uses.
+test_sound_files()
+{
+  local in=outputs/compact.off vertices faces
+  grep . outputs/teddy.off >$in # without empty lines
+  read -r vertices faces _ < <(sed -n 2p $in)
+  expect 0 "$segment" $in -k 4 -o outputs/sound.seg
+  { sed "2s/.*/$vertices $((faces + 1)) 0/" $in; tail -n 1 $in; } >outputs/twice.off
+  expect 0 "$segment" outputs/twice.off -k 4 -o outputs/twice.seg
+  expect_text stderr "1 duplicate face has that of the first"
+  head -n "$faces" outputs/twice.seg | cmp -s - outputs/sound.seg || fail "$command: other labels than of the sound file"
+  { head -n -"$faces" $in | sed "2s/.*/$((vertices + 1)) $faces 0/"; echo "7 7 7"; tail -n "$faces" $in; } >outputs/unused.off
+  expect 0 "$segment" outputs/unused.off -k 4 -o outputs/unused.seg
+  cmp -s outputs/unused.seg outputs/sound.seg || fail "$command: other labels than without the unused point"
+}
+
 # The same through pipes as by files; the format is found by how the file begins.
 test_pipes()
 {
@@ -761,6 +778,7 @@ test_awkward_meshes
 test_awkward_segmentations
 test_unwritable_outputs
 test_words
+test_sound_files
 test_pipes
 test_3MF
 test_VTP

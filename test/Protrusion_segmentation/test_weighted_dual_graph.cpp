@@ -139,7 +139,7 @@ void check_symmetry(const Weighted_dual_graph& graph)
       sum[2] += graph.border_length[arc];
       CHECK(graph.capacity[arc] <= graph.border_length[arc] * (1 + 1e-6));
       CHECK(graph.seam_length(arc) >= graph.length[arc]);
-      CHECK(graph.concave_border_length[arc] <= graph.border_length[arc] * (1 + 1e-6));
+      CHECK(graph.concave_border(arc) <= graph.border_length[arc] * (1 + 1e-6));
     }
   for (const auto& [arc, sum] : weights)
   {

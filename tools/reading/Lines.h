@@ -7,6 +7,7 @@
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_READING_LINES_H
 #define PROTRUSION_SEGMENTATION_TOOLS_READING_LINES_H
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -14,21 +15,23 @@
 namespace tool
 {
 
-constexpr std::string_view blanks = " \t\v\f\r";
+constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r'; }
 
 inline std::string_view trim(std::string_view text)
 {
-  const std::size_t first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos)
-    return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  while (!text.empty() && is_blank(text.front()))
+    text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back()))
+    text.remove_suffix(1);
+  return text;
 }
 
 // Takes the first word off `text`; an empty one if there is none.
 inline std::string_view take_word(std::string_view& text)
 {
   text = trim(text);
-  const std::string_view word = text.substr(0, text.find_first_of(blanks));
+  const auto end = std::find_if(text.begin(), text.end(), is_blank);
+  const std::string_view word = text.substr(0, std::size_t(end - text.begin()));
   text.remove_prefix(word.size());
   return word;
 }
@@ -49,10 +52,11 @@ public:
   {
     if (m_rest.empty())
       return false;
-    const std::size_t end = m_rest.find_first_of("\r\n");
-    m_line = m_rest.substr(0, end);
-    const bool is_double = end != std::string_view::npos && m_rest.substr(end, 2) == "\r\n";
-    m_rest.remove_prefix(end == std::string_view::npos ? m_rest.size() : end + (is_double ? 2 : 1));
+    const auto is_end = [](char c) { return c == '\n' || c == '\r'; };
+    m_line = m_rest.substr(0, std::size_t(std::find_if(m_rest.begin(), m_rest.end(), is_end) - m_rest.begin()));
+    m_rest.remove_prefix(m_line.size());
+    const bool is_double = m_rest.substr(0, 2) == "\r\n";
+    m_rest.remove_prefix((std::min)(m_rest.size(), std::size_t(is_double ? 2 : 1)));
     ++m_number;
     return true;
   }

@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A reader for each format: from the bytes of a file, all of them, to its faces; or throws a `Format_error`.
-// Text in OBJ, OFF and STL is brought into the form that CGAL's readers are sure to understand. What they take
+// Text in OBJ and STL is brought into the form that CGAL's readers are sure to understand. What they take
 // on trust is checked on the way: that there is as much as is announced, and that corners exist.
 
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_READING_FORMATS_H

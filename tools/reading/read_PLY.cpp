@@ -20,6 +20,7 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tool
@@ -134,7 +135,7 @@ public:
                                            : "has no faces");
   }
 
-  const Polygon_soup& soup() const { return m_soup; }
+  Polygon_soup take_soup() { return std::move(m_soup); }
 
 private:
   bool has(const std::string& name) const
@@ -190,10 +191,10 @@ private:
 
   void read_face(const Property& property, Numbers& numbers)
   {
-    Polygon face;
+    m_face.clear(); // what it has room for stays
     for (std::size_t left = numbers.take_count(*property.count_type); left > 0; --left)
-      face.push_back(numbers.take_index(property.type));
-    m_soup.polygons.push_back(face);
+      m_face.push_back(numbers.take_index(property.type));
+    m_soup.polygons.push_back(m_face);
   }
 
   // -1 begins a new strip.
@@ -219,13 +220,14 @@ private:
   Lines m_lines;
   Header m_header;
   Polygon_soup m_soup;
+  Polygon m_face; // the last one
 };
 
 } // namespace
 
 Polygon_soup read_PLY(const std::string& bytes)
 {
-  return PLY_reader(bytes).soup();
+  return PLY_reader(bytes).take_soup();
 }
 
 } // namespace tool

@@ -10,10 +10,10 @@
 
 #include <array>
 #include <cerrno>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <iterator>
 #include <system_error>
 
 namespace tool
@@ -24,10 +24,22 @@ namespace
 constexpr const char* gzip_magic = "\x1f\x8b";          // RFC 1952, section 2.3.1
 constexpr const char* byte_order_mark = "\xef\xbb\xbf"; // of UTF-8
 
+std::string read_all(std::istream& in)
+{
+  std::string bytes;
+  std::array<char, 1 << 16> buffer;
+  do
+  {
+    in.read(buffer.data(), buffer.size());
+    bytes.append(buffer.data(), std::size_t(in.gcount()));
+  } while (in);
+  return bytes;
+}
+
 std::string read_all(const std::string& file_name)
 {
   if (file_name == "-")
-    return std::string(std::istreambuf_iterator<char>(std::cin), {});
+    return read_all(std::cin);
   std::error_code ignored;
   if (std::filesystem::is_directory(file_name, ignored))
     throw Error(file_name, "is a folder");
@@ -36,7 +48,7 @@ std::string read_all(const std::string& file_name)
   if (!in)
     throw Error(file_name,
                 "cannot be opened" + (errno != 0 ? ": " + std::generic_category().message(errno) : ""));
-  std::string bytes(std::istreambuf_iterator<char>(in), {});
+  std::string bytes = read_all(in);
   if (in.bad())
     throw Error(file_name, "cannot be read");
   return bytes;

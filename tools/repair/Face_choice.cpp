@@ -190,15 +190,25 @@ private:
 
 std::vector<std::size_t> places(const std::vector<Point>& points)
 {
-  std::vector<std::size_t> order(points.size()), result(points.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
+  // with their first coordinates: a comparison seldom has to look up the points
+  std::vector<std::pair<double, std::size_t>> order;
+  order.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    order.emplace_back(points[i].x(), i);
   std::sort(order.begin(), order.end(),
-            [&](std::size_t i, std::size_t j)
-            { return points[i] < points[j] || (points[i] == points[j] && i < j); });
+            [&](const auto& a, const auto& b)
+            {
+              if (a.first != b.first)
+                return a.first < b.first;
+              const Point &p = points[a.second], &q = points[b.second];
+              return p < q || (p == q && a.second < b.second);
+            });
+  std::vector<std::size_t> result(points.size());
   for (std::size_t i = 0; i < order.size(); ++i)
   {
-    const bool is_new = i == 0 || points[order[i]] != points[order[i - 1]];
-    result[order[i]] = is_new ? order[i] : result[order[i - 1]];
+    const std::size_t point = order[i].second;
+    const bool is_new = i == 0 || points[point] != points[order[i - 1].second];
+    result[point] = is_new ? point : result[order[i - 1].second];
   }
   return result;
 }

@@ -205,8 +205,8 @@ void check_can_be_written(const Output_names& names)
 void write_findings(Findings& findings, const Output_names& names)
 {
   const Clock::time_point start = Clock::now();
-  const Segmented_soup segmented = {findings.mesh.soup,
-                                    spread(findings.segmentation.segment_ids, findings.mesh), {}};
+  Segmented_soup segmented = {std::move(findings.mesh.soup), // until the meshes are written: as large as they are
+                              spread(findings.segmentation.segment_ids, findings.mesh), {}};
   if (names.caps != Caps::NONE)
     findings.note = join_notes(findings.note, note_on_boundary(findings.mesh.mesh));
   const Segmented_soup cut = findings.smoothed ? soup_of(*findings.smoothed, findings.mesh) : Segmented_soup();
@@ -218,6 +218,7 @@ void write_findings(Findings& findings, const Output_names& names)
       add_output(name, cut, findings.segmentation.number_of_segments, files);
     else
       add_output(name, segmented, findings.segmentation.number_of_segments, files);
+  findings.mesh.soup = std::move(segmented.soup);
   if (!names.report.empty())
     files.add(names.report, [&](std::ostream& out) { write_report(out, findings); });
   if (!names.borders.empty())

@@ -30,6 +30,7 @@ void write_off(std::ostream& out, const Segmented_soup& segmented)
   const auto& [points, polygons] = segmented.soup;
   out.precision(17); // a double is read as it was written
   out << "OFF\n" << points.size() << " " << polygons.size() << " 0\n";
+  const std::vector<CGAL::IO::Color> colors = segment_colors(segmented.segments);
   for (const Point& point : points)
     out << point << "\n";
   for (std::size_t i = 0; i < polygons.size(); ++i)
@@ -37,7 +38,7 @@ void write_off(std::ostream& out, const Segmented_soup& segmented)
     out << polygons[i].size();
     for (const std::size_t corner : polygons[i])
       out << " " << corner;
-    const CGAL::IO::Color color = segment_color(segmented.segments[i]);
+    const CGAL::IO::Color& color = colors[segmented.segments[i]];
     out << " " << int(color.red()) << " " << int(color.green()) << " " << int(color.blue()) << "\n";
   }
 }

@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <vector>
 
 namespace tool
 {
@@ -58,6 +59,16 @@ inline CGAL::IO::Color segment_color(std::size_t segment)
   const std::array<double, 3> lightness = {0.65, 0.8, 0.52};
   return color_of_OKLCh(lightness[segment % 3], 0.15,
                         0.5 + static_cast<double>(segment) * golden_angle);
+}
+
+// The colours of all segments that faces have, by their numbers: to compute one takes longer than to write a face.
+inline std::vector<CGAL::IO::Color> segment_colors(const std::vector<std::size_t>& segments_of_faces)
+{
+  const auto last = std::max_element(segments_of_faces.begin(), segments_of_faces.end());
+  std::vector<CGAL::IO::Color> result;
+  for (std::size_t segment = 0; last != segments_of_faces.end() && segment <= *last; ++segment)
+    result.push_back(segment_color(segment));
+  return result;
 }
 
 } // namespace tool

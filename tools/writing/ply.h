@@ -11,6 +11,7 @@
 #include "writing/palette.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -25,8 +26,10 @@ namespace tool
 template <typename Bits>
 void write_bits(std::ostream& out, Bits bits)
 {
+  std::array<char, sizeof(Bits)> bytes;
   for (std::size_t i = 0; i < sizeof(Bits); ++i)
-    out.put(static_cast<char>(bits >> 8 * i & 0xff));
+    bytes[i] = static_cast<char>(bits >> 8 * i & 0xff);
+  out.write(bytes.data(), bytes.size());
 }
 
 inline void write_double(std::ostream& out, double value)
@@ -39,17 +42,19 @@ inline void write_double(std::ostream& out, double value)
 
 inline void write_color(std::ostream& out, const CGAL::IO::Color& color)
 {
-  for (const unsigned char byte : {color.red(), color.green(), color.blue(), static_cast<unsigned char>(255)})
-    out.put(static_cast<char>(byte));
+  const std::array<char, 4> bytes = {static_cast<char>(color.red()), static_cast<char>(color.green()),
+                                     static_cast<char>(color.blue()), static_cast<char>(255)};
+  out.write(bytes.data(), bytes.size());
 }
 
 // Blender reads the colours of vertices only: a vertex gets that of one of its faces.
-inline std::vector<CGAL::IO::Color> colors_of_points(const Segmented_soup& segmented)
+inline std::vector<CGAL::IO::Color> colors_of_points(const Segmented_soup& segmented,
+                                                     const std::vector<CGAL::IO::Color>& colors_of_segments)
 {
   std::vector<CGAL::IO::Color> result(segmented.soup.points.size());
   for (std::size_t i = 0; i < segmented.segments.size(); ++i)
     for (const std::size_t corner : segmented.soup.polygons[i])
-      result[corner] = segment_color(segmented.segments[i]);
+      result[corner] = colors_of_segments[segmented.segments[i]];
   return result;
 }
 
@@ -66,7 +71,8 @@ inline void write_PLY(std::ostream& out, const Segmented_soup& segmented)
       << " int vertex_indices\nproperty uint segment\n"
       << (segmented.old_faces.empty() ? "" : "property uint old_face\n")
       << color << "end_header\n";
-  const std::vector<CGAL::IO::Color> colors = colors_of_points(segmented);
+  const std::vector<CGAL::IO::Color> colors_of_segments = segment_colors(segmented.segments);
+  const std::vector<CGAL::IO::Color> colors = colors_of_points(segmented, colors_of_segments);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
     for (int c = 0; c < 3; ++c)
@@ -84,7 +90,7 @@ inline void write_PLY(std::ostream& out, const Segmented_soup& segmented)
     write_bits(out, static_cast<std::uint32_t>(segmented.segments[i]));
     if (!segmented.old_faces.empty())
       write_bits(out, static_cast<std::uint32_t>(segmented.old_faces[i]));
-    write_color(out, segment_color(segmented.segments[i]));
+    write_color(out, colors_of_segments[segmented.segments[i]]);
   }
 }
 

@@ -43,9 +43,10 @@ inline void write_cell_data(std::ostream& out,
         out << face << "\n";
     });
   write_data_array(out, "type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\"", [&]() {
+    const std::vector<CGAL::IO::Color> colors = segment_colors(segments);
     for (const std::size_t segment : segments)
     {
-      const CGAL::IO::Color color = segment_color(segment);
+      const CGAL::IO::Color& color = colors[segment];
       out << int(color.red()) << " " << int(color.green()) << " " << int(color.blue()) << "\n";
     }
   });

@@ -45,9 +45,7 @@ struct Cut_graphs
     coarse = make_coarse_graph(fine, execution);
     straighten_borders(surface, fine, coarse.node, coarse.graph, execution.is_parallel());
     measure_volumes(surface, coarse.node, coarse.graph, execution.is_parallel());
-    // only the coarse graph is made of these: a third of the memory of the surface
-    decltype(fine.centre)().swap(fine.centre);
-    decltype(fine.concave_border_length)().swap(fine.concave_border_length);
+    decltype(fine.centre)().swap(fine.centre); // only the coarse graph is made of these
   }
 };
 

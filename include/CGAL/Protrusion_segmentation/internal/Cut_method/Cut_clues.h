@@ -101,7 +101,7 @@ private:
     Vector_3 moment(0, 0, 0);
     m_partition.for_each_arc_of_cut(m_segment, inner, [&](Index arc, Index, Index)
                                     {
-                                      m_concave_length += m_graph.concave_border_length[arc];
+                                      m_concave_length += m_graph.concave_border(arc);
                                       m_length += m_graph.border_length[arc];
                                       m_cost += m_graph.capacity[arc];
                                       m_opening += m_graph.border_area[arc];
@@ -126,7 +126,7 @@ private:
         if (m_partition.segment(j) != m_segment)
           m_earlier_length += m_graph.border_length[arc];
         else if (m_partition.is_inner(j) == m_inner_is_smaller)
-          m_inner_concave_length += m_graph.concave_border_length[arc] / 2; // seen from both ends
+          m_inner_concave_length += m_graph.concave_border(arc) / 2; // seen from both ends
       }
     }
   }

@@ -294,7 +294,7 @@ private:
       arcs.capacity.push_back(0);
       arcs.curvature.push_back(0);
     }
-    arcs.concave_border_length[arc] += m_graph.concave_border_length[old];
+    arcs.concave_border_length[arc] += m_graph.concave_border(old);
     arcs.capacity[arc] += m_graph.capacity[old];
     arcs.curvature[arc] += m_graph.curvature[old] * m_graph.border_length[old];
   }
@@ -353,30 +353,35 @@ inline Coarse_graph coarsen(const Weighted_dual_graph& graph,
   constexpr double least_progress = 0.02;
   const bool is_parallel = execution.is_parallel();
   Coarse_graph result;
-  result.node.resize(graph.number_of_nodes());
-  std::iota(result.node.begin(), result.node.end(), Index(0));
   const Weighted_dual_graph* current = &graph; // never a copy: it would be the largest array of a segmentation
   while (current->number_of_nodes() > number_of_nodes)
   {
     execution.check();
     const Index before = current->number_of_nodes();
-    const auto match =
+    auto match =
       Neighbor_matcher(*current, current->*tie, largest_area)(before - number_of_nodes, is_parallel);
     if (before - match.second < least_progress * before && before < 2 * number_of_nodes)
       break;
     if (match.second == before)
       break;
     result.graph = Graph_contraction(*current, match.first, match.second, is_parallel)();
+    if (current == &graph)
+      result.node = std::move(match.first);
+    else
+      for_each_block(result.node.size(), is_parallel,
+                     [&](std::size_t begin, std::size_t end, std::size_t)
+                     {
+                       for (std::size_t i = begin; i < end; ++i)
+                         result.node[i] = match.first[result.node[i]];
+                     });
     current = &result.graph;
-    for_each_block(result.node.size(), is_parallel,
-                   [&](std::size_t begin, std::size_t end, std::size_t)
-                   {
-                     for (std::size_t i = begin; i < end; ++i)
-                       result.node[i] = match.first[result.node[i]];
-                   });
   }
   if (current == &graph)
+  {
     result.graph = graph;
+    result.node.resize(graph.number_of_nodes());
+    std::iota(result.node.begin(), result.node.end(), Index(0));
+  }
   else
     result.graph.length = lengths_between_centres(result.graph, is_parallel);
   return result;

@@ -47,6 +47,9 @@ inline Coarse_graph make_coarse_graph(const Weighted_dual_graph& graph, Executio
   {
     Coarse_graph same{graph, std::vector<Index>(graph.number_of_nodes())};
     std::iota(same.node.begin(), same.node.end(), Index(0));
+    same.graph.concave_border_length.clear();
+    for (Index arc = 0; arc < graph.target.size(); ++arc)
+      same.graph.concave_border_length.push_back(graph.concave_border(arc));
     return same;
   }
   if (graph.number_of_nodes() <= number_of_groups)

@@ -78,7 +78,7 @@ public:
     const Diffusion::Values normals = m_graph.is_flat
                                         ? Rounded_normals(m_surface, m_graph, m_execution)()
                                         : smooth_normals(m_graph, this->normals(), normal_radius, m_execution);
-    for (std::vector<float>* weights : {&m_graph.curvature, &m_graph.concave_border_length, &m_graph.capacity})
+    for (std::vector<float>* weights : {&m_graph.curvature, &m_graph.capacity})
       weights->resize(m_graph.target.size());
     for_each_face(
       [&](Index f)
@@ -94,8 +94,6 @@ private:
   // Princeton benchmark; all lie on plateaus.
   // Radius over which normals are averaged; between .015 and .05 without effect.
   static constexpr double normal_radius = 0.03;
-  // Concave curvature from which on an edge lies in a seam, a radius of 1/2.
-  static constexpr double seam_curvature = 2;
   // Curvature beyond it, a radius of 1/60, is tessellation.
   static constexpr double largest_curvature = 60;
   // Centroids in one place must not make an infinite curvature.
@@ -173,10 +171,8 @@ private:
     const bool is_concave = m_outward * (turn * (m_surface.centroid(g) - m_surface.centroid(f))) < 0;
     const double strength = (std::min)(largest_curvature, angle / m_graph.length[arc]);
     const double curvature = is_concave ? strength : -strength;
-    const float border = m_graph.border_length[arc];
     m_graph.curvature[arc] = static_cast<float>(curvature);
-    m_graph.concave_border_length[arc] = curvature > seam_curvature ? border : 0;
-    m_graph.capacity[arc] = static_cast<float>(m_policy.cost(border, curvature));
+    m_graph.capacity[arc] = static_cast<float>(m_policy.cost(m_graph.border_length[arc], curvature));
   }
 
   const Indexed_surface& m_surface;

@@ -221,16 +221,27 @@ private:
       diffuse_twice(graph, scale, time, values);
       return;
     }
-    const Coarse_graph groups =
-      coarsen(graph, static_cast<Index>((std::max)(graph.number_of_nodes() / 4., least_number_of_groups)), m_execution,
-              &Weighted_dual_graph::border_length);
-    Values means = means_of_groups(graph, groups, values);
-    const double time_between_groups = 1. / groups.graph.number_of_nodes(); // over about the size of a group
-    diffuse(groups.graph, scale * energy(graph) / energy(groups.graph), time - time_between_groups, means);
-    for (Index i = 0; i < graph.number_of_nodes(); ++i)
-      values[i] = means[groups.node[i]];
+    const double time_between_groups = diffuse_groups(
+      graph, scale, time, static_cast<Index>((std::max)(graph.number_of_nodes() / 4., least_number_of_groups)), values);
     constexpr double tolerance = 1e-2;
     Diffusion(graph, time_between_groups, scale, m_execution.is_parallel())(values, tolerance, m_execution);
+  }
+
+  // Diffuses the means of about `number` groups; returns how long the steps between these are to be smoothed: over about
+  // the size of a group.
+  double diffuse_groups(const Weighted_dual_graph& graph, double scale, double time, Index number, Values& values) const
+  {
+    const Coarse_graph groups = coarsen(graph, number, m_execution, &Weighted_dual_graph::border_length);
+    Values means = means_of_groups(graph, groups, values);
+    const double time_between_groups = 1. / groups.graph.number_of_nodes();
+    diffuse(groups.graph, scale * energy(graph) / energy(groups.graph), time - time_between_groups, means);
+    for_each_block(graph.number_of_nodes(), m_execution.is_parallel(),
+                   [&](std::size_t begin, std::size_t end, std::size_t)
+                   {
+                     for (std::size_t i = begin; i < end; ++i)
+                       values[i] = means[groups.node[i]];
+                   });
+    return time_between_groups;
   }
 
   void diffuse_twice(const Weighted_dual_graph& graph, double scale, double time, Values& values) const
@@ -277,12 +288,18 @@ inline Diffusion::Values smooth_normals(const Weighted_dual_graph& graph,
                                         Execution& execution)
 {
   Multilevel_diffusion(radius, execution)(graph, normals);
-  for (Diffusion::Triple& normal : normals)
-  {
-    const float length = std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
-    for (float& x : normal)
-      x = length > 0 ? x / length : 0;
-  }
+  for_each_block(normals.size(), execution.is_parallel(),
+                 [&](std::size_t begin, std::size_t end, std::size_t)
+                 {
+                   for (std::size_t i = begin; i < end; ++i)
+                   {
+                     Diffusion::Triple& normal = normals[i];
+                     const float length =
+                       std::sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+                     for (float& x : normal)
+                       x = length > 0 ? x / length : 0;
+                   }
+                 });
   return normals;
 }
 

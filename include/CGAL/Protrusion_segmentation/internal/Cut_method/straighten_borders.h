@@ -96,7 +96,7 @@ private:
     sums.along += along;
     if (!(m_fine.border_length[old] > 0))
       return;
-    sums.concave_along += along * m_fine.concave_border_length[old] / m_fine.border_length[old];
+    sums.concave_along += along * m_fine.concave_border(old) / m_fine.border_length[old];
     sums.cost_along += along * m_fine.capacity[old] / m_fine.border_length[old];
   }
 

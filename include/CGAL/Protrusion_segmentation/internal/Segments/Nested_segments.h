@@ -35,27 +35,20 @@ public:
   explicit Nested_segments(const Indexed_surface& surface)
     : m_labels(label_components(surface, std::vector<Index>(surface.number_of_faces(), 0)).component)
   {
-    for (Index f = 0; f < m_labels.size(); ++f)
-    {
-      if (m_labels[f] == m_parents.size())
-      {
-        m_parents.push_back(m_labels[f]);
-        m_faces.emplace_back();
-      }
-      m_faces[m_labels[f]].push_back(f);
-    }
+    for (Index label : m_labels)
+      if (label == m_parents.size())
+        m_parents.push_back(label);
     m_number_of_components = m_parents.size();
+    collect_faces();
   }
 
   // `labels`: the segment of every face; `parents`: of every segment, the bodies first, which are their own
   Nested_segments(std::vector<Index> labels, std::vector<Index> parents, std::size_t number_of_components)
     : m_labels(std::move(labels)),
       m_parents(std::move(parents)),
-      m_faces(m_parents.size()),
       m_number_of_components(number_of_components)
   {
-    for (Index f = 0; f < m_labels.size(); ++f)
-      m_faces[m_labels[f]].push_back(f);
+    collect_faces();
   }
 
   std::size_t number_of_components() const { return m_number_of_components; }
@@ -95,6 +88,18 @@ public:
   }
 
 private:
+  void collect_faces()
+  {
+    std::vector<std::size_t> sizes(m_parents.size(), 0);
+    for (Index label : m_labels)
+      ++sizes[label];
+    m_faces.resize(m_parents.size());
+    for (std::size_t s = 0; s < sizes.size(); ++s)
+      m_faces[s].reserve(sizes[s]);
+    for (Index f = 0; f < m_labels.size(); ++f)
+      m_faces[m_labels[f]].push_back(f);
+  }
+
   std::vector<Index> m_labels;
   std::vector<Index> m_parents;
   std::vector<Faces> m_faces;
