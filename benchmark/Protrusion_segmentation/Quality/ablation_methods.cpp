@@ -64,13 +64,13 @@ struct Without_clues : Cut_policy
 {
   explicit Without_clues(std::vector<double Cut_clues::*> clues) : m_left_out(std::move(clues)) {}
 
-  double probability(const Cut_clues& clues) const override
+  double log_odds(const Cut_clues& clues) const override
   {
     constexpr Cut_clues mean = {0.58, 0.69, -1.50, 0.13, -0.25, -0.25, 0.32, 1.22, -0.93, -0.68, 3.97, 0.09};
     Cut_clues others = clues;
     for (double Cut_clues::*clue : m_left_out)
       others.*clue = mean.*clue;
-    return Cut_policy::probability(others);
+    return Cut_policy::log_odds(others);
   }
 
 private:

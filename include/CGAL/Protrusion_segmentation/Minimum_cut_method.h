@@ -34,6 +34,8 @@ each tried with its four best further cuts, and the set with the largest sum of 
 segments, the largest drop of what one more brings ends them, between cuts that are surely evident and cuts that are
 not. In the end, the borders between all neighboring segments become minimum cuts once more, on the faces.
 
+A flat component, whose faces all have the same normal, is segmented by its outline.
+
 Every connected component is judged by itself, in its own unit of length; with a number of segments given, each
 further segment goes to the component where it brings most.
 

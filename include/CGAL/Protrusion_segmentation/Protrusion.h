@@ -27,8 +27,8 @@ struct Protrusion
   FaceDescriptor tip;     ///< the face at its tip
   double border_distance; ///< the distance of the border from the tip
   double value;           ///< how good the border is: its prominence or its value, as its method defines it
-  /// the probability, from 0 to 1, that two points on different sides of the border belong to different segments; none
-  /// for methods that do not estimate it
+  /// the probability, from 0 to 1, that people put two points on different sides of the border into different segments;
+  /// none for methods that do not estimate it
   std::optional<double> probability;
   double area;            ///< the area beyond the border: of the segment and of all that sticks out of it
   double border_length;   ///< the length of the border between that and the rest

@@ -22,14 +22,13 @@ struct Cut
 {
   Graph_partition::Nodes inner; // the side of smaller area
   double value = 0;             // higher is better, below 0 it separates what belongs together
-  double probability = 0;       // that the sides belong to different segments; the value comes from it
+  double probability = 0;       // that people put the sides into different segments
 };
 
-// Values a cut: how much better a segmentation becomes by it. That is about the number of pairs of points on
-// different sides, times the probability that they belong apart less the one that they belong together. The root
-// keeps the largest segments from being cut for their size alone. Minus infinity if a side is too small to be a
-// segment. `nodes` are those of the segment,
-// `cut.inner` is marked.
+// Values a cut: how much better a segmentation becomes by it. That is about the number of pairs of points on different sides,
+// times what speaks for it: an estimate of the probability that they belong apart less the one that they belong together.
+// The root keeps the largest segments from being cut for their size alone. Minus infinity if a side is too small to be a
+// segment. `nodes` are those of the segment, `cut.inner` is marked.
 inline void value_cut(Graph_partition& partition,
                       Weighted_dual_graph::Index segment,
                       const Graph_partition::Nodes& nodes,
@@ -41,8 +40,9 @@ inline void value_cut(Graph_partition& partition,
   cut.value = -(std::numeric_limits<double>::infinity)();
   if (!is_large_enough(area, segment_area))
     return;
-  cut.probability = policy.probability(Clues_of_cut(partition, segment, nodes, cut.inner, segment_area)());
-  cut.value = (2 * cut.probability - 1) * std::sqrt(area * (segment_area - area));
+  const double log_odds = policy.log_odds(Clues_of_cut(partition, segment, nodes, cut.inner, segment_area)());
+  cut.probability = probability_of_border(log_odds);
+  cut.value = (2 * logistic(log_odds) - 1) * std::sqrt(area * (segment_area - area));
 }
 
 } // namespace internal

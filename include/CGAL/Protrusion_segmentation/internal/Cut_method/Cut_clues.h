@@ -64,11 +64,11 @@ public:
     const Side inside = measure_side(m_inside, true), outside = measure_side(m_outside, false);
     Cut_clues clues;
     clues.concave_share = m_concave_length / m_length;
-    clues.relative_length = std::log(m_length / m_size);
+    clues.relative_length = std::log(length_around() / m_size);
     clues.segment_size = std::log(m_segment_area);
     clues.larger_widening = (std::max)(inside.widening, outside.widening);
     clues.smaller_widening = (std::min)(inside.widening, outside.widening);
-    clues.roundness = std::log(4 * CGAL_PI * opening() / CGAL::square(m_length) + 0.05);
+    clues.roundness = std::log(4 * CGAL_PI * opening() / CGAL::square(length_around()) + 0.05);
     clues.neighbors = std::log(1 + m_earlier_length / m_length);
     clues.contrast = (std::max)(inside.contrast, outside.contrast);
     clues.mean_cost = std::log(m_cost / m_length + 0.02);
@@ -85,8 +85,15 @@ private:
   };
 
   double smaller_area() const { return CGAL::square(m_size); }
+
+  // A flat sheet is measured as one half of a round body, of which a cut has a circular opening and cuts off a cylinder.
+  // In units of the root of the area of both halves, it is longer by the root of two.
+  double length_around() const { return m_graph.is_flat ? std::sqrt(2.) * m_length : m_length; }
   // the area of the opening that the cut leaves
-  double opening() const { return std::sqrt(m_opening.squared_length()); }
+  double opening() const
+  {
+    return m_graph.is_flat ? CGAL::square(length_around()) / (4 * CGAL_PI) : std::sqrt(m_opening.squared_length());
+  }
 
   void measure_cut(const Nodes& inner)
   {
@@ -125,7 +132,11 @@ private:
   }
 
   // of the smaller side, closed by a cone over the cut
-  double volume() const { return std::abs(m_flux - m_area_vector * m_centre) / 3; }
+  double volume() const
+  {
+    return m_graph.is_flat ? smaller_area() * length_around() / (4 * CGAL_PI)
+                           : std::abs(m_flux - m_area_vector * m_centre) / 3;
+  }
 
   // How much of a node lies in a strip that reaches `depth` beyond its centre. A strip is few nodes wide: if they
   // were in it as a whole or not at all, what it measures would be a matter of chance.

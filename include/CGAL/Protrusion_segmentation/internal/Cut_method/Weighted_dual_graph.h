@@ -46,6 +46,7 @@ struct Weighted_dual_graph
   std::vector<Simple_cartesian<float>::Point_3> centre;
 
   double length_of_angle = 0; // by how much one radian of concave angle lengthens an arc
+  bool is_flat = false;       // a sheet cut out of a plane
 
   Index number_of_nodes() const { return static_cast<Index>(area.size()); }
   boost::integer_range<Index> arcs(Index node) const

@@ -175,6 +175,7 @@ public:
   Weighted_dual_graph operator()()
   {
     m_result.length_of_angle = m_graph.length_of_angle;
+    m_result.is_flat = m_graph.is_flat;
     m_result.area.resize(m_sets.number_of_groups());
     m_result.centre.resize(m_sets.number_of_groups());
     for_each_block(m_sets.number_of_groups(), m_is_parallel,

@@ -9,6 +9,7 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/rounded_normals.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/smooth_normals.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 
@@ -63,19 +64,20 @@ public:
       m_policy(policy),
       m_execution(execution),
       m_unit(surface.area() > 0 ? std::sqrt(surface.area()) : 1),
-      m_centre(centroid(surface)),
-      m_outward(signed_volume(surface, execution.is_parallel()) < 0 ? -1 : 1)
+      m_centre(centroid(surface))
   {
     m_graph.length_of_angle = policy.length_of_angle();
+    m_graph.is_flat = is_flat(surface);
+    m_outward = !m_graph.is_flat && signed_volume(surface, execution.is_parallel()) < 0 ? -1 : 1;
   }
 
   Weighted_dual_graph operator()()
   {
     number_arcs();
     for_each_face([this](Index f) { measure(f); });
-    Diffusion::Values normals(m_surface.number_of_faces());
-    for_each_face([&](Index f) { normals[f] = normal(f); });
-    normals = smooth_normals(m_graph, std::move(normals), normal_radius, m_execution);
+    const Diffusion::Values normals = m_graph.is_flat
+                                        ? Rounded_normals(m_surface, m_graph, m_execution)()
+                                        : smooth_normals(m_graph, this->normals(), normal_radius, m_execution);
     for (std::vector<float>* weights : {&m_graph.curvature, &m_graph.concave_border_length, &m_graph.capacity})
       weights->resize(m_graph.target.size());
     for_each_face(
@@ -100,7 +102,7 @@ private:
   static constexpr double least_length = 1e-9;
 
   template <typename Visit>
-  void for_each_face(Visit visit)
+  void for_each_face(Visit visit) const
   {
     for_each_block(m_surface.number_of_faces(), m_execution.is_parallel(),
                    [&](std::size_t begin, std::size_t end, std::size_t)
@@ -147,12 +149,18 @@ private:
     m_graph.border_length[arc] = static_cast<float>(m_surface.edge_length(f, corner) / m_unit);
   }
 
-  Diffusion::Triple normal(Index f) const
+  Diffusion::Values normals() const
   {
-    if (!(m_surface.area(f) > 0))
-      return {0, 0, 0};
-    const Vector_3 normal = m_surface.area_vector(f) / m_surface.area(f);
-    return {static_cast<float>(normal.x()), static_cast<float>(normal.y()), static_cast<float>(normal.z())};
+    Diffusion::Values result(m_surface.number_of_faces(), {0, 0, 0});
+    for_each_face(
+      [&](Index f)
+      {
+        if (!(m_surface.area(f) > 0))
+          return;
+        const Vector_3 normal = m_surface.area_vector(f) / m_surface.area(f);
+        result[f] = {static_cast<float>(normal.x()), static_cast<float>(normal.y()), static_cast<float>(normal.z())};
+      });
+    return result;
   }
 
   void weigh(Index f, Index arc, const Diffusion::Values& normals)

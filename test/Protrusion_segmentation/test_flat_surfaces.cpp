@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Sheets cut out of a plane, whose outline alone tells what sticks out.
+
+#include "check.h"
+#include "indexed_surfaces.h"
+#include "segmentations.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/rounded_normals.h>
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <random>
+#include <utility>
+
+using namespace test_meshes;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+using CGAL::Protrusion_segmentation::internal::is_flat;
+
+constexpr int outside = -1;
+
+// The cells of a grid over [-1, 1] x [-1, 1], each as two triangles, for whose centre `part(x, y)` is not `outside`. Vertices
+// are moved by up to a tenth of an edge, so that outlines are ragged.
+template <typename Part>
+Test_mesh sheet(Part part, int cells = 90)
+{
+  std::mt19937 random(5);
+  const double size = 2. / cells;
+  const auto moved = [&](int i) { return size * (i + 0.2 * (random() / 4294967296. - 0.5)) - 1; };
+  Test_mesh mesh;
+  std::map<std::pair<int, int>, std::size_t> numbers;
+  const auto point = [&](int i, int j)
+  {
+    const auto [position, is_new] = numbers.emplace(std::make_pair(i, j), mesh.points.size());
+    if (is_new)
+    {
+      const double x = moved(i), y = moved(j);
+      mesh.add_point({x, y, 0});
+    }
+    return position->second;
+  };
+  for (int j = 0; j < cells; ++j)
+    for (int i = 0; i < cells; ++i)
+      if (const int p = part((i + 0.5) * size - 1, (j + 0.5) * size - 1); p != outside)
+      {
+        const std::size_t a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1), d = point(i, j + 1);
+        mesh.add_face({a, b, (i + j) % 2 == 0 ? c : d}, std::size_t(p));
+        mesh.add_face({(i + j) % 2 == 0 ? a : b, c, d}, std::size_t(p));
+      }
+  return mesh;
+}
+
+// A disk with straight arms around it, each a part.
+Test_mesh star(int arms, int cells)
+{
+  return sheet(
+    [arms](double x, double y)
+    {
+      constexpr double disk = 0.35, reach = 0.95, half_width = 0.12;
+      const double r = std::hypot(x, y), turn = std::atan2(y, x) * arms / (2 * pi) + arms; // in arms
+      const double nearest = std::round(turn), angle = (turn - nearest) * 2 * pi / arms;
+      if (r < disk)
+        return 0;
+      return r < reach && std::abs(r * std::sin(angle)) < half_width && std::abs(angle) < pi / arms
+               ? 1 + int(nearest) % arms
+               : outside;
+    },
+    cells);
+}
+
+Test_mesh flat_dumbbell()
+{
+  return sheet(
+    [](double x, double y)
+    {
+      if (std::hypot(std::abs(x) - 0.6, y) < 0.33)
+        return x < 0 ? 1 : 2;
+      return std::abs(y) < 0.1 && std::abs(x) < 0.6 ? 0 : outside;
+    });
+}
+
+Segmentation segmentation(const Test_mesh& mesh)
+{
+  const Mesh faces = to_graph<Mesh>(mesh);
+  return checked(faces, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(faces, ids); });
+}
+
+void what_is_flat()
+{
+  const Test_mesh plane = star(5, 30);
+  CHECK(is_flat(to_surface(plane)));
+  CHECK(is_flat(to_surface(translated(rotated(plane, {1, 2, 3}, 0.7), {10, -20, 30}))));
+  CHECK(is_flat(to_surface(with_reversed_orientation(plane))));
+  Test_mesh bent = plane;
+  for (Point& p : bent.points)
+    p[2] = 0.05 * p[0] * p[0];
+  CHECK(!is_flat(to_surface(bent)));
+}
+
+// What is convex has no parts, and a ring has no ends.
+void no_parts_without_concave_corners()
+{
+  const auto inside = [](bool is_inside) { return is_inside ? 0 : outside; };
+  CHECK_EQUAL(segmentation(sheet([&](double x, double y) { return inside(std::hypot(x, y) < 0.95); })).number, 1u);
+  CHECK_EQUAL(segmentation(sheet([&](double x, double y) { return inside(std::abs(x) < 0.8 && std::abs(y) < 0.8); })).number,
+              1u);
+  CHECK_EQUAL(segmentation(sheet([&](double, double y) { return inside(std::abs(y) < 0.2); })).number, 1u);
+  CHECK_EQUAL(segmentation(sheet([&](double x, double y) { return inside(x * x + 4 * y * y < 0.9); })).number, 1u);
+  CHECK_EQUAL(
+    segmentation(sheet([&](double x, double y) { return inside(std::abs(std::hypot(x, y) - 0.7) < 0.2); })).number, 1u);
+}
+
+void arms_are_parts()
+{
+  constexpr double least_share = 0.97;
+  check_parts(star(5, 90), segmentation(star(5, 90)), least_share);
+  check_parts(star(6, 140), segmentation(star(6, 140)), least_share);
+  check_parts(flat_dumbbell(), segmentation(flat_dumbbell()), least_share);
+}
+
+void place_and_size_do_not_count()
+{
+  const Test_mesh plane = star(5, 90);
+  const Labels labels = as_partition(segmentation(plane).labels);
+  for (const Test_mesh& moved : {translated(plane, {5, -3, 2}), scaled(plane, 1000),
+                                 translated(rotated(plane, {1, 1, 0}, 2), {0, 100, 0}), with_reversed_orientation(plane)})
+    CHECK(share_in_true_parts(plane, segmentation(moved).labels) >= 0.97);
+  CHECK_EQUAL(as_partition(segmentation(translated(plane, {0, 0, 4})).labels) == labels, true);
+}
+
+int main()
+{
+  what_is_flat();
+  no_parts_without_concave_corners();
+  arms_are_parts();
+  place_and_size_do_not_count();
+  return check::result();
+}
