@@ -50,6 +50,13 @@ void evident_protrusions_are_counted_without_a_number()
   CHECK_EQUAL(automatic_segmentation(icosphere(3)).number, 1);
 }
 
+// However long they are: nothing but a short cut speaks for a border.
+void smooth_tubes_are_whole()
+{
+  CHECK_EQUAL(automatic_segmentation(capsule(0.2, 20, 0.15)).number, 1);
+  CHECK_EQUAL(automatic_segmentation(torus(4, 0.2, 200, 12)).number, 1);
+}
+
 // A face keeps its segment, or gets the nearest ancestor of it that is left: the segments nest.
 void check_coarser(const PS::Segment_hierarchy& hierarchy,
                    std::size_t k,
@@ -165,6 +172,7 @@ int main()
 {
   true_parts_are_found();
   evident_protrusions_are_counted_without_a_number();
+  smooth_tubes_are_whole();
   the_hierarchy_holds_nested_segmentations();
   tips_of_a_user_are_cut_off();
   other_distances_serve_the_search();

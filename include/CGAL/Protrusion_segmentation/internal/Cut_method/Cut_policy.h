@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_clues.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -64,6 +65,10 @@ public:
     constexpr double bias = -1.45;
     constexpr double concave_share_weight = 6;
     constexpr double relative_length_weight = -3.2;
+    // Of a cut that leaves six times as much tube as it is wide on its shorter side. If shorter cuts spoke the more for
+    // themselves, a smooth tube would be cut anywhere. Between -.2 and -.6 the Rand index error on the development models
+    // of the Princeton benchmark is the same.
+    constexpr double least_relative_length = -0.3;
     constexpr double segment_size_weight = 1;
     constexpr double larger_widening_weight = 2.4;
     constexpr double smaller_widening_weight = -0.2;
@@ -75,8 +80,8 @@ public:
     constexpr double inner_concavity_weight = -0.04;
     constexpr double several_loops_weight = -1.5;
     return bias + concave_share_weight * clues.concave_share +
-           relative_length_weight * clues.relative_length + segment_size_weight * clues.segment_size +
-           larger_widening_weight * clues.larger_widening +
+           relative_length_weight * (std::max)(least_relative_length, clues.relative_length) +
+           segment_size_weight * clues.segment_size + larger_widening_weight * clues.larger_widening +
            smaller_widening_weight * clues.smaller_widening + roundness_weight * clues.roundness +
            neighbors_weight * clues.neighbors + contrast_weight * clues.contrast +
            mean_cost_weight * clues.mean_cost + thickness_weight * clues.thickness +
