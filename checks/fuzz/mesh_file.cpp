@@ -79,6 +79,7 @@ void segment(const tool::Mesh& mesh, std::size_t method, std::size_t k)
 void check(const tool::Input_mesh& input)
 {
   const std::size_t faces = input.mesh.number_of_faces();
+  require(input.mesh.is_valid(false), "the faces do not make up a surface mesh");
   require(input.label_giver.size() == input.soup.polygons.size(), "a face of the file is without label");
   require(input.face_in_file.size() == faces, "a face of the mesh is not from the file");
   require(input.point_of_vertex.size() == input.mesh.number_of_vertices(), "a vertex is not from the file");

@@ -30,8 +30,8 @@ namespace CGAL {
 
 splits a surface mesh into a body and its protrusions, by a method of choice.
 
-Segment ids are 0 to n-1, where n is the returned number. Every segment is a connected set of faces. The first ids
-are those of the bodies, one in each connected component; the others are those of protrusions, in the order in which
+Segment ids are 0 to n-1, where n is the returned number. Every segment is a connected set of faces, but for specks. The
+first ids are those of the bodies, one in each connected component; the others are those of protrusions, in the order in which
 their borders were chosen. The ids depend on where the faces are and not on the order of `faces(tmesh)`, except for
 faces with the same centroid.
 
@@ -41,6 +41,10 @@ body is what is left in the end.
 
 There are fewer segments than asked for if no more borders are found, and more only if there are more connected
 components: each of them has at least one segment.
+
+*Specks*, as dust of a scanner, get no segments of their own: connected components with less than a thousandth of the area of
+the largest one and fewer faces. All others are segmented as if there were none, and a speck gets the segment of the nearest
+of their faces, from centroid to centroid. `Protrusion_segmentation::Segmentation_visitor::on_specks()` tells their number.
 
 Coordinates are converted to `double` by `CGAL::to_double()`, whatever the kernel of the points is: those of an
 exact kernel are rounded.
@@ -220,7 +224,8 @@ The first tip is the face with the largest sum of distances to all faces, eq.&nb
 Every further tip is the face farthest from all tips so far, eq.&nbsp;(2).
 
 If the mesh has several connected components, large ones get more tips: every tip goes to the component with the largest
-quotient of its area and the number of tips that it would then have.
+quotient of its area and the number of tips that it would then have. Specks, as `segmentation_via_protrusion_tips()` defines them,
+get none.
 
 \tparam ConcurrencyTag as for `segmentation_via_protrusion_tips()`
 \tparam Number any integer type
@@ -295,7 +300,8 @@ cuts off the protrusions of given tips, steps 3 and 4 of Section III.A: for tips
 edited or picked by a user.
 
 One tip cuts off its protrusion. A tip that is given twice counts once, and so do two tips whose faces share a vertex.
-A tip for which no border is found, or that already lies in the protrusion of another one, makes no segment.
+A tip for which no border is found, or that already lies in the protrusion of another one, makes no segment. A tip on a speck
+counts as one on the face whose segment the speck gets.
 
 \tparam ConcurrencyTag, FaceGraph, SegmentMap, Method as for `segmentation_via_protrusion_tips()`
 \tparam FaceRange a range of `boost::graph_traits<FaceGraph>::%face_descriptor`

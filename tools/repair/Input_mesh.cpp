@@ -4,24 +4,27 @@
 
 #include "repair/Input_mesh.h"
 
-#include "repair/Edge_pairs.h"
-#include "repair/Face_choice.h"
-#include "repair/Joined_faces.h"
-#include "repair/Parity_sets.h"
-#include "repair/Specks.h"
+#include "reading/Format_error.h"
+
+#include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
+#include <CGAL/Protrusion_segmentation/polygon_soup_to_manifold_mesh.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
-#include <array>
-#include <memory>
 #include <numeric>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace tool
 {
 namespace
 {
+
+namespace internal = CGAL::Protrusion_segmentation::internal;
 
 using Vertex = Mesh::Vertex_index;
 
@@ -49,54 +52,6 @@ bool add_faces(const std::vector<Polygon>& faces, const std::vector<Vertex>& ver
   return mesh.is_valid(false);
 }
 
-void reserve(std::size_t number_of_vertices, std::size_t number_of_faces, Mesh& mesh)
-{
-  using Size = Mesh::size_type;
-  mesh.reserve(Size(number_of_vertices), Size(number_of_vertices + number_of_faces), Size(number_of_faces));
-}
-
-void build_mesh(const Joined_faces& joined, Input_mesh& input)
-{
-  const std::vector<Polygon>& faces = joined.choice.polygons;
-  std::vector<std::array<std::size_t, 3>> corners; // point, vertex, side
-  for (std::size_t face = 0; face < faces.size(); ++face)
-    for (std::size_t i = 0; i < faces[face].size(); ++i)
-    {
-      const std::size_t side = joined.pairs.first_side(face) + i;
-      corners.push_back({faces[face][i], joined.fans.vertex_at(side), side});
-    }
-  std::sort(corners.begin(), corners.end()); // the vertices are in the order of their points in the file
-
-  std::vector<Vertex> vertex_at(corners.size(), Mesh::null_vertex());
-  for (const auto& [point, vertex, side] : corners)
-    if (vertex_at[vertex] == Mesh::null_vertex())
-    {
-      vertex_at[vertex] = input.mesh.add_vertex(input.soup.points[point]);
-      input.point_of_vertex.push_back(point);
-    }
-  std::vector<Polygon> polygons;
-  for (std::size_t face = 0; face < faces.size(); ++face)
-  {
-    Polygon polygon(faces[face].size());
-    for (std::size_t i = 0; i < polygon.size(); ++i)
-      polygon[i] = joined.fans.vertex_at(joined.pairs.first_side(face) + i);
-    if (joined.is_turned[face])
-      std::reverse(polygon.begin() + 1, polygon.end());
-    polygons.push_back(polygon);
-  }
-  if (!add_faces(polygons, vertex_at, input.mesh))
-    throw std::logic_error("the faces do not make up a surface mesh");
-}
-
-std::size_t number_of_components(const Edge_pairs& pairs)
-{
-  const std::vector<std::size_t> component = pairs.components();
-  std::size_t count = 0;
-  for (std::size_t face = 0; face < component.size(); ++face)
-    count += component[face] == face ? 1 : 0; // it is named after one of its faces
-  return count;
-}
-
 // Is there a face whose neighbours are all one face? Its double may be that.
 bool may_have_double(const Mesh& mesh)
 {
@@ -114,14 +69,12 @@ bool may_have_double(const Mesh& mesh)
 
 std::size_t number_of_components(const Mesh& mesh)
 {
-  Parity_sets sets(mesh.number_of_faces());
+  internal::Disjoint_sets sets(mesh.number_of_faces());
   for (const auto edge : mesh.edges())
     if (!mesh.is_border(edge))
-      sets.unite(mesh.face(mesh.halfedge(edge, 0)), mesh.face(mesh.halfedge(edge, 1)), false);
-  std::size_t count = 0;
-  for (const Face face : mesh.faces())
-    count += sets.find(face).first == face ? 1 : 0;
-  return count;
+      sets.union_set(mesh.face(mesh.halfedge(edge, 0)), mesh.face(mesh.halfedge(edge, 1)));
+  return std::size_t(std::count_if(mesh.faces_begin(), mesh.faces_end(),
+                                   [&](Face face) { return sets.find_set(face) == face; }));
 }
 
 void add_used_points(Input_mesh& input, std::vector<Vertex>& vertices)
@@ -140,15 +93,29 @@ void add_used_points(Input_mesh& input, std::vector<Vertex>& vertices)
     }
 }
 
+void reserve(const Polygon_soup& soup, Mesh& mesh)
+{
+  using Size = Mesh::size_type;
+  const std::size_t vertices = soup.points.size(), faces = soup.polygons.size();
+  mesh.reserve(Size(vertices), Size(vertices + faces), Size(faces));
+}
+
+bool has_points_at_one_place(const std::vector<Point>& points)
+{
+  const std::vector<std::size_t> places = internal::places(points);
+  for (std::size_t point = 0; point < places.size(); ++point)
+    if (places[point] != point)
+      return true;
+  return false;
+}
+
 // Builds the mesh of a file that needs no repair, as most do: then the faces as they are make up a surface, and what
 // the search for repairs takes, several times as long as this, is saved. Returns whether it is one.
-bool build_sound_mesh(const std::vector<std::size_t>& place_of, Input_mesh& input)
+bool build_sound_mesh(Input_mesh& input)
 {
-  for (std::size_t point = 0; point < place_of.size(); ++point)
-    if (place_of[point] != point)
-      return false;
-  const std::size_t number_of_faces = input.soup.polygons.size();
-  reserve(input.soup.points.size(), number_of_faces, input.mesh);
+  if (has_points_at_one_place(input.soup.points))
+    return false;
+  reserve(input.soup, input.mesh);
   std::vector<Vertex> vertices;
   add_used_points(input, vertices);
   if (!add_faces(input.soup.polygons, vertices, input.mesh) || may_have_double(input.mesh))
@@ -157,7 +124,7 @@ bool build_sound_mesh(const std::vector<std::size_t>& place_of, Input_mesh& inpu
     input.point_of_vertex.clear();
     return false;
   }
-  input.label_giver.resize(number_of_faces);
+  input.label_giver.resize(input.soup.polygons.size());
   std::iota(input.label_giver.begin(), input.label_giver.end(), std::size_t(0));
   input.face_in_file = input.label_giver;
   input.repairs.components = number_of_components(input.mesh);
@@ -169,45 +136,47 @@ std::string counted(std::size_t count, const std::string& one, const std::string
   return std::to_string(count) + " " + (count == 1 ? one : more);
 }
 
+auto make_mesh(const Polygon_soup& soup, Mesh& mesh)
+{
+  try
+  {
+    return CGAL::polygon_soup_to_manifold_mesh(soup.points, soup.polygons, mesh);
+  }
+  catch (const std::invalid_argument&) // whoever read the soup found all else, and named it in the words of the format
+  {
+    throw Format_error("has degenerate faces only: none has three different corners");
+  }
+}
+
 } // namespace
 
 Input_mesh make_input_mesh(Polygon_soup soup)
 {
   Input_mesh input;
   input.soup = std::move(soup);
-  const std::vector<std::size_t> place_of = places(input.soup.points);
-  if (build_sound_mesh(place_of, input))
+  if (build_sound_mesh(input))
     return input;
-  std::vector<bool> is_left_out(input.soup.polygons.size(), false);
-  auto joined = std::make_unique<Joined_faces>(input.soup, place_of, is_left_out);
-  Repairs& repairs = input.repairs;
-  repairs.degenerate_faces = joined->choice.degenerate_faces;
-  repairs.duplicate_faces = joined->choice.duplicate_faces;
-  repairs.non_manifold_edges = joined->pairs.number_of_non_manifold_edges();
-  repairs.specks = Specks(input.soup, place_of, *joined).leave_out(is_left_out);
-  if (repairs.specks > 0) // then the rest goes together anew
-    joined = std::make_unique<Joined_faces>(input.soup, place_of, is_left_out);
-  repairs.reversed_faces = std::size_t(std::count(joined->is_turned.begin(), joined->is_turned.end(), true));
-  repairs.components = number_of_components(joined->pairs);
-  build_mesh(*joined, input);
-  input.label_giver = joined->choice.label_giver;
-  input.face_in_file = joined->choice.kept;
+  auto result = make_mesh(input.soup, input.mesh);
+  input.label_giver.assign(result.face_of_polygon.begin(), result.face_of_polygon.end());
+  input.face_in_file = std::move(result.polygon_of_face);
+  input.point_of_vertex = std::move(result.point_of_vertex);
+  input.repairs = result.repairs;
   return input;
 }
 
 std::string describe(const Repairs& repairs)
 {
   std::vector<std::string> parts;
-  if (repairs.degenerate_faces > 0)
-    parts.push_back(counted(repairs.degenerate_faces, "degenerate face has", "degenerate faces have") +
+  if (repairs.degenerate_polygons > 0)
+    parts.push_back(counted(repairs.degenerate_polygons, "degenerate face has", "degenerate faces have") +
                     " the label of a neighbour");
-  if (repairs.duplicate_faces > 0)
-    parts.push_back(counted(repairs.duplicate_faces, "duplicate face has", "duplicate faces have") +
+  if (repairs.duplicate_polygons > 0)
+    parts.push_back(counted(repairs.duplicate_polygons, "duplicate face has", "duplicate faces have") +
                     " that of the first");
   if (repairs.non_manifold_edges > 0)
     parts.push_back(counted(repairs.non_manifold_edges, "edge is", "edges are") + " of more than two faces");
-  if (repairs.reversed_faces > 0)
-    parts.push_back(counted(repairs.reversed_faces, "face was", "faces were") + " turned over");
+  if (repairs.reversed_polygons > 0)
+    parts.push_back(counted(repairs.reversed_polygons, "face was", "faces were") + " turned over");
   if (repairs.specks > 0)
     parts.push_back(counted(repairs.specks, "speck has", "specks have") + " the label of a neighbour");
   if (!parts.empty())

@@ -8,6 +8,8 @@
 #include "reading/Mesh.h"
 #include "reading/Polygon_soup.h"
 
+#include <CGAL/Protrusion_segmentation/Polygon_soup_repairs.h>
+
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -16,16 +18,7 @@
 namespace tool
 {
 
-// What had to be done so that the faces of a file make up a surface.
-struct Repairs
-{
-  std::size_t degenerate_faces = 0;   // with fewer than three different corners: left out
-  std::size_t duplicate_faces = 0;    // with the corners of another one, turned over or not: left out
-  std::size_t non_manifold_edges = 0; // of more than two faces, without duplicates
-  std::size_t reversed_faces = 0;
-  std::size_t specks = 0;     // small components or inner walls that touch the rest: left out
-  std::size_t components = 0; // connected ones, of what is segmented
-};
+using Repairs = CGAL::Protrusion_segmentation::Polygon_soup_repairs;
 
 // The faces of a file, and the mesh that is segmented in their place. They are the same unless something had to
 // be repaired.
@@ -39,7 +32,7 @@ struct Input_mesh
   Repairs repairs;
 };
 
-// Throws a `Format_error` if all faces are degenerate.
+// By the package's `polygon_soup_to_manifold_mesh()`. Throws a `Format_error` if all faces are degenerate.
 Input_mesh make_input_mesh(Polygon_soup soup);
 
 // A value for each face of the file from a value for each face of the mesh.

@@ -39,6 +39,7 @@ public:
 
   const std::vector<Protrusion>& protrusions() const { return m_protrusions; }
   const std::array<Stage_record, 5>& stages() const { return m_stages; }
+  std::size_t number_of_specks() const { return m_number_of_specks; }
   std::size_t number_of_runs() const { return m_number_of_runs; }
   std::size_t number_of_eliminated_tips() const { return m_number_of_eliminated_tips; }
 
@@ -57,6 +58,7 @@ public:
     m_share = share;
     show();
   }
+  void on_specks(std::size_t number_of_specks) override { m_number_of_specks = number_of_specks; }
   void on_eliminated_tip(Face) override { ++m_number_of_eliminated_tips; }
   void on_protrusion(const Protrusion& protrusion) override
   {
@@ -102,6 +104,7 @@ private:
   Clock::time_point m_last_time;
   std::vector<Protrusion> m_protrusions;
   std::size_t m_number_of_runs = 0;
+  std::size_t m_number_of_specks = 0;
   std::size_t m_number_of_eliminated_tips = 0;
   double m_share = 0;
 };

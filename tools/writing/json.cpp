@@ -4,11 +4,11 @@
 
 #include "writing/json.h"
 
-#include "repair/area_vector.h"
 #include "writing/borders.h"
 #include "writing/peak_memory.h"
 
 #include <CGAL/Protrusion_segmentation/Border_values.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
 
 #include <nlohmann/json.hpp>
 
@@ -139,7 +139,8 @@ Json describe_measures(const Findings& findings)
     ++faces[segment];
   for (std::size_t i = 0; i < ids.size(); ++i)
     areas[ids[i]] += std::sqrt(
-      area_vector(input.soup.points, input.soup.polygons[input.face_in_file[i]]).squared_length());
+      CGAL::Protrusion_segmentation::internal::area_vector(
+        input.soup.points, input.soup.polygons[input.face_in_file[i]]).squared_length());
   const Border_values borders(findings.segmentation.record.protrusions());
   Json array = Json::array();
   for (std::size_t s = 0; s < faces.size(); ++s)
@@ -182,10 +183,10 @@ Json describe_surface(const Input_mesh& mesh)
   object.add("faces", mesh.face_in_file.size())
     .add("components", repairs.components)
     .add("specks", repairs.specks)
-    .add("degenerate_faces", repairs.degenerate_faces)
-    .add("duplicate_faces", repairs.duplicate_faces)
+    .add("degenerate_faces", repairs.degenerate_polygons)
+    .add("duplicate_faces", repairs.duplicate_polygons)
     .add("non_manifold_edges", repairs.non_manifold_edges)
-    .add("reversed_faces", repairs.reversed_faces);
+    .add("reversed_faces", repairs.reversed_polygons);
   return object.take();
 }
 

@@ -33,7 +33,7 @@ An object of this class is made by `CGAL::protrusion_hierarchy()` and keeps no r
 class Segment_hierarchy
 {
 public:
-  /// \return the number of connected components of the mesh, the least number of segments
+  /// \return the number of connected components of the mesh that are no specks, the least number of segments
   std::size_t minimum_number_of_segments() const { return m_number_of_components; }
 
   /// \return the largest number of segments

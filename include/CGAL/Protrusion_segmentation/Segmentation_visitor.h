@@ -79,6 +79,10 @@ public:
   /// \name Findings
   /// @{
 
+  /// is called if there are specks, connected components with less than a thousandth of the area of the largest one and
+  /// fewer faces, which get no segments of their own.
+  /// \param number_of_specks how many there are
+  virtual void on_specks([[maybe_unused]] std::size_t number_of_specks) {}
   /// is called for each protrusion tip that is selected, which need not become a segment.
   /// \param face the face at the tip
   virtual void on_tip([[maybe_unused]] face_descriptor face) {}

@@ -18,6 +18,8 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
+#include <CGAL/Protrusion_segmentation/Polygon_soup_correspondence.h>
+#include <CGAL/Protrusion_segmentation/Polygon_soup_repairs.h>
 #include <CGAL/Protrusion_segmentation/Protrusion.h>
 #include <CGAL/Protrusion_segmentation/Segment_border.h>
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
@@ -25,6 +27,7 @@
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
 #include <CGAL/Protrusion_segmentation/bucket_shortest_paths.h>
 #include <CGAL/Protrusion_segmentation/label_confidence.h>
+#include <CGAL/Protrusion_segmentation/polygon_soup_to_manifold_mesh.h>
 #include <CGAL/Protrusion_segmentation/segment_borders.h>
 #include <CGAL/Protrusion_segmentation/smooth_segment_borders.h>
 #include <CGAL/protrusion_segmentation.h>

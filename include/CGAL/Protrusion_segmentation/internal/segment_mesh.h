@@ -15,6 +15,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Mesh/write_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Rest_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Tips/select_tips_of_components.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -60,9 +61,11 @@ auto run_on_mesh(const FaceGraph& mesh, const NamedParameters& np, Run run)
     std::optional<Canonical_surface> surface;
     {
       const Stage_scope stage(observer, Stage::READING);
-      Arrays_of_mesh input = read_surface(mesh, np);
+      Rest_of_surface rest = leave_out_specks(read_arrays(mesh, np));
+      if (rest.number_of_specks > 0)
+        visitor.on_specks(rest.number_of_specks);
       execution.check();
-      surface.emplace(std::move(input.surface), input.unit, execution.is_parallel());
+      surface.emplace(std::move(rest), execution.is_parallel());
     }
     observer.set_surface(*surface);
     execution.check();

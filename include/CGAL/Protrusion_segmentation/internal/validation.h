@@ -5,6 +5,10 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_VALIDATION_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_VALIDATION_H
 
+#include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/small_components.h>
+
+#include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
@@ -57,9 +61,23 @@ std::vector<std::vector<std::size_t>> face_neighbors(const FaceGraph& mesh)
   return neighbors;
 }
 
-// The segment that is not connected over edges.
+// For each face whether it lies on a speck, which has the segment of another component.
+template <typename FaceGraph>
+std::vector<bool> faces_on_specks(const FaceGraph& mesh)
+{
+  const Surface_arrays surface = read_arrays(mesh, parameters::default_values());
+  const std::vector<Indexed_surface::Index> components = components_of_faces(surface);
+  const std::vector<bool> is_speck = specks_among(surface, components);
+  std::vector<bool> result;
+  for (const Indexed_surface::Index component : components)
+    result.push_back(is_speck[component]);
+  return result;
+}
+
+// The segment that is not connected over edges, but for specks.
 inline std::optional<std::string> problem_with_connectedness(
   const std::vector<std::vector<std::size_t>>& neighbors,
+  const std::vector<bool>& is_on_speck,
   const std::vector<std::size_t>& ids,
   std::size_t number_of_segments)
 {
@@ -68,7 +86,7 @@ inline std::optional<std::string> problem_with_connectedness(
   std::vector<bool> is_reached(ids.size(), false);
   for (std::size_t f = 0; f < ids.size(); ++f)
   {
-    if (is_reached[f])
+    if (is_reached[f] || is_on_speck[f])
       continue;
     if (first_face[ids[f]] != none)
       return "segment " + std::to_string(ids[f]) + " is not connected: faces " +
@@ -92,7 +110,7 @@ inline std::optional<std::string> problem_with_connectedness(
 }
 
 // The first problem of a segmentation for which a function returned `number_of_segments`, or nothing: every
-// face has a segment, ids are 0 to n - 1 and all used, every segment is connected. `segment_ids` is a model
+// face has a segment, ids are 0 to n - 1 and all used, every segment is connected but for specks. `segment_ids` is a model
 // of `ReadablePropertyMap` with integers as values. Linear time.
 template <typename FaceGraph, typename SegmentMap>
 std::optional<std::string> problem_with_segmentation(const FaceGraph& mesh,
@@ -104,7 +122,7 @@ std::optional<std::string> problem_with_segmentation(const FaceGraph& mesh,
     ids.push_back(static_cast<std::size_t>(get(segment_ids, f)));
   if (const auto problem = problem_with_segment_ids(ids, number_of_segments))
     return problem;
-  return problem_with_connectedness(face_neighbors(mesh), ids, number_of_segments);
+  return problem_with_connectedness(face_neighbors(mesh), faces_on_specks(mesh), ids, number_of_segments);
 }
 
 } // namespace internal

@@ -79,9 +79,9 @@ typename boost::graph_traits<FaceGraph>::halfedge_descriptor first_halfedge(
   return first;
 }
 
-// Reads the index arrays of a mesh: faces in the order of `faces(mesh)`. Linear time.
+// Reads the index arrays of a mesh, in its coordinates: faces in the order of `faces(mesh)`. Linear time.
 template <typename FaceGraph, typename NamedParameters>
-Arrays_of_mesh read_surface(const FaceGraph& mesh, const NamedParameters& np)
+Surface_arrays read_arrays(const FaceGraph& mesh, const NamedParameters& np)
 {
   using parameters::choose_parameter;
   using parameters::get_parameter;
@@ -92,8 +92,7 @@ Arrays_of_mesh read_surface(const FaceGraph& mesh, const NamedParameters& np)
   auto vertex_numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
   auto face_numbers = get(CGAL::dynamic_face_property_t<Index>(), mesh);
 
-  Arrays_of_mesh result;
-  Surface_arrays& arrays = result.surface;
+  Surface_arrays arrays;
   arrays.points = read_points(mesh, vpm, vertex_numbers);
   Index number_of_faces = 0;
   std::size_t number_of_corners = 0;
@@ -121,7 +120,16 @@ Arrays_of_mesh read_surface(const FaceGraph& mesh, const NamedParameters& np)
     }
     arrays.corner_begin.push_back(static_cast<Index>(arrays.corner_vertices.size()));
   }
-  result.unit = normalize(arrays.points);
+  return arrays;
+}
+
+// The same in a cube of size two.
+template <typename FaceGraph, typename NamedParameters>
+Arrays_of_mesh read_surface(const FaceGraph& mesh, const NamedParameters& np)
+{
+  Arrays_of_mesh result;
+  result.surface = read_arrays(mesh, np);
+  result.unit = normalize(result.surface.points);
   return result;
 }
 

@@ -6,10 +6,13 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CANONICAL_SURFACE_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Rest_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/canonical_order.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -27,9 +30,23 @@ public:
   Canonical_surface(Surface_arrays arrays, double unit, bool is_parallel = false)
     : m_unit(unit), m_position(canonical_order(arrays, is_parallel))
   {
-    Surface_arrays ordered = Face_selector<Surface_arrays>(arrays)(m_position, [](Index) {});
-    arrays = {}; // before memory is needed for more
-    m_surface = std::move(ordered).to_surface(is_parallel);
+    take_in_order(arrays, is_parallel);
+  }
+
+  // Of a whole mesh, in its coordinates. A face on a speck is, for tips and values, the face that stands for it.
+  explicit Canonical_surface(Rest_of_surface rest, bool is_parallel = false)
+    : m_unit(normalize(rest.arrays.points)), m_position(canonical_order(rest.arrays, is_parallel))
+  {
+    take_in_order(rest.arrays, is_parallel);
+    if (rest.stand_ins.empty())
+      return;
+    std::vector<Index> face(m_position.size()); // of the rest
+    for (Index f = 0; f < m_position.size(); ++f)
+      face[m_position[f]] = f;
+    for (Index& position : m_position)
+      position = rest.faces[position];
+    for (Index stand_in : rest.stand_ins)
+      m_face_at.push_back(face[stand_in]);
   }
 
   const Indexed_surface& surface() const { return m_surface; }
@@ -40,9 +57,11 @@ public:
   // The faces of the surface for faces given by their positions in the mesh.
   std::vector<Index> faces_at(const std::vector<Index>& positions) const
   {
-    std::vector<Index> face(m_position.size()), result;
+    std::vector<Index> face = m_face_at;
+    face.resize((std::max)(face.size(), m_position.size()));
     for (Index f = 0; f < m_position.size(); ++f)
       face[m_position[f]] = f;
+    std::vector<Index> result;
     for (Index p : positions)
       result.push_back(face[p]);
     return result;
@@ -51,15 +70,30 @@ public:
   // Values of the faces of the surface in the order of the mesh.
   std::vector<Index> in_order_of_mesh(const std::vector<Index>& values) const
   {
-    std::vector<Index> result(values.size());
+    std::vector<Index> result;
+    if (!m_face_at.empty())
+    {
+      for (Index f : m_face_at)
+        result.push_back(values[f]);
+      return result;
+    }
+    result.resize(values.size());
     for (Index f = 0; f < values.size(); ++f)
       result[m_position[f]] = values[f];
     return result;
   }
 
 private:
+  void take_in_order(Surface_arrays& arrays, bool is_parallel)
+  {
+    Surface_arrays ordered = Face_selector<Surface_arrays>(arrays)(m_position, [](Index) {});
+    arrays = {}; // before memory is needed for more
+    m_surface = std::move(ordered).to_surface(is_parallel);
+  }
+
   double m_unit;
   std::vector<Index> m_position;
+  std::vector<Index> m_face_at; // of every face of the mesh, if there are specks
   Indexed_surface m_surface;
 };
 

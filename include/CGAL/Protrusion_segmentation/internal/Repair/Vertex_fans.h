@@ -2,43 +2,42 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef PROTRUSION_SEGMENTATION_TOOLS_REPAIR_FANS_H
-#define PROTRUSION_SEGMENTATION_TOOLS_REPAIR_FANS_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_VERTEX_FANS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_VERTEX_FANS_H
 
-#include "repair/Edge_pairs.h"
-#include "repair/Parity_sets.h"
+#include <CGAL/Protrusion_segmentation/internal/Repair/Edge_pairs.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/Parity_sets.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
 
-namespace tool
-{
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
 
 // The corners of faces that become one vertex: those that meet where sides are joined. A vertex so has one fan of
-// faces around it, whatever the file says.
-class Fans
+// faces around it, whatever the soup says.
+class Vertex_fans
 {
 public:
-  Fans(Edge_pairs& pairs, const std::vector<bool>& is_turned) : m_pairs(pairs), m_is_turned(is_turned)
+  Vertex_fans(Edge_pairs& pairs, const std::vector<bool>& is_turned) : m_pairs(pairs), m_is_turned(is_turned)
   {
     do
       unite_corners();
     while (part_conflicts());
   }
 
-  std::size_t vertex_at(std::size_t side) const
-  {
-    return m_vertex[side];
-  } // where the side starts in the file
+  // where the side starts in the soup
+  std::size_t vertex_at(std::size_t side) const { return m_vertex[side]; }
 
 private:
   void unite_corners()
   {
     Parity_sets sets(m_pairs.number_of_sides());
     for (std::size_t side = 0; side < m_pairs.number_of_sides(); ++side)
-      if (const std::size_t other = m_pairs.partner(side); other != Edge_pairs::none && side < other)
+      if (const std::size_t other = m_pairs.partner(side); other != Edge_pairs::none() && side < other)
       {
         const bool is_parallel = m_pairs.are_parallel(side, other);
         sets.unite(side, is_parallel ? other : m_pairs.next(other), false);
@@ -53,7 +52,7 @@ private:
   // corner is taken out of its fan.
   bool part_conflicts()
   {
-    std::vector<std::size_t> corners = corners_in_conflict();
+    const std::vector<std::size_t> corners = corners_in_conflict();
     for (const std::size_t side : corners)
     {
       m_pairs.part(side);
@@ -89,6 +88,8 @@ private:
   std::vector<std::size_t> m_vertex;
 };
 
-} // namespace tool
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
 
-#endif // PROTRUSION_SEGMENTATION_TOOLS_REPAIR_FANS_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_VERTEX_FANS_H

@@ -2,23 +2,24 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef PROTRUSION_SEGMENTATION_TOOLS_REPAIR_SPECKS_H
-#define PROTRUSION_SEGMENTATION_TOOLS_REPAIR_SPECKS_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_SPECKS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_SPECKS_H
 
-#include "repair/Joined_faces.h"
-#include "repair/Parity_sets.h"
-#include "repair/area_vector.h"
+#include <CGAL/Protrusion_segmentation/internal/Repair/Joined_faces.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/Parity_sets.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
 
 #include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <vector>
 
-namespace tool
-{
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
 
-// Looks for the components that are better labelled by their neighbours than segmented: tiny ones, and walls between two
-// solids, which hang on crowded edges all around. They must touch what remains.
+// Looks for the components that are better labelled by their neighbours than segmented: tiny ones, and walls
+// between two solids, which hang on crowded edges all around. They must touch what remains.
 class Specks
 {
 public:
@@ -37,7 +38,7 @@ public:
     keep_lonely_ones();
   }
 
-  // Sets the faces of specks, in their number in the file; returns the number of specks.
+  // Sets the faces of specks, by their numbers in the soup; returns the number of specks.
   std::size_t leave_out(std::vector<bool>& is_left_out) const
   {
     std::size_t count = 0;
@@ -69,13 +70,13 @@ private:
     for (std::size_t side = 0; side < pairs.number_of_sides(); ++side)
     {
       const std::size_t face = pairs.face(side);
-      const bool is_free = pairs.partner(side) == Edge_pairs::none && !pairs.is_crowded(side);
+      const bool is_free = pairs.partner(side) == Edge_pairs::none() && !pairs.is_crowded(side);
       if (!m_joined.choice.has_double[face] || is_free)
         is_wall[m_component[face]] = false;
     }
     std::vector<bool> has_border(m_component.size(), false);
     for (std::size_t side = 0; side < pairs.number_of_sides(); ++side)
-      if (pairs.partner(side) == Edge_pairs::none)
+      if (pairs.partner(side) == Edge_pairs::none())
         has_border[m_component[pairs.face(side)]] = true;
     for (std::size_t face = 0; face < m_component.size(); ++face)
       m_is_speck[face] = m_is_speck[face] || (is_wall[face] && has_border[face]);
@@ -85,9 +86,9 @@ private:
   void keep_lonely_ones()
   {
     Parity_sets clusters(m_places.size());
-    for (const Polygon& polygon : m_joined.choice.polygons)
-      for (const std::size_t corner : polygon)
-        clusters.unite(m_places[polygon.front()], m_places[corner], false);
+    for (std::size_t face = 0; face < m_component.size(); ++face)
+      for (const std::size_t corner : m_joined.choice.polygons[face])
+        clusters.unite(m_places[m_joined.choice.polygons[face].front()], m_places[corner], false);
     const auto cluster_of = [&](std::size_t face)
     { return clusters.find(m_places[m_joined.choice.polygons[face].front()]).first; };
     std::vector<bool> has_more(m_places.size(), false);
@@ -106,6 +107,8 @@ private:
   std::vector<bool> m_is_speck;         // of each component
 };
 
-} // namespace tool
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
 
-#endif // PROTRUSION_SEGMENTATION_TOOLS_REPAIR_SPECKS_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_SPECKS_H

@@ -2,16 +2,17 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef PROTRUSION_SEGMENTATION_TOOLS_REPAIR_PARITY_SETS_H
-#define PROTRUSION_SEGMENTATION_TOOLS_REPAIR_PARITY_SETS_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_PARITY_SETS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_PARITY_SETS_H
 
 #include <cstddef>
 #include <numeric>
 #include <utility>
 #include <vector>
 
-namespace tool
-{
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
 
 // Disjoint sets of elements each of which is, or is not, turned over against the first of its set.
 class Parity_sets
@@ -68,6 +69,8 @@ private:
   std::vector<bool> m_is_turned; // against the parent
 };
 
-} // namespace tool
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
 
-#endif // PROTRUSION_SEGMENTATION_TOOLS_REPAIR_PARITY_SETS_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_PARITY_SETS_H

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_POLYGON_SOUP_REPAIRS_H
+#define CGAL_PROTRUSION_SEGMENTATION_POLYGON_SOUP_REPAIRS_H
+
+#include <cstddef>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+What `CGAL::polygon_soup_to_manifold_mesh()` had to do so that polygons make up a surface.
+*/
+struct Polygon_soup_repairs
+{
+  /// polygons with fewer than three different corners, left out
+  std::size_t degenerate_polygons = 0;
+  /// polygons with the same corners as an earlier one, in the same or in reverse order, left out
+  std::size_t duplicate_polygons = 0;
+  /// edges of more than two polygons, duplicates not counted
+  std::size_t non_manifold_edges = 0;
+  /// polygons that were turned over to be oriented as their neighbors are
+  std::size_t reversed_polygons = 0;
+  /// small components, and walls between two solids, that touch the rest, left out with all their polygons
+  std::size_t specks = 0;
+  /// connected components of the mesh; no repair
+  std::size_t components = 0;
+
+  /// whether every polygon became a face as it is, and no edge has more than two polygons
+  bool is_nothing() const
+  {
+    return degenerate_polygons + duplicate_polygons + non_manifold_edges + reversed_polygons + specks == 0;
+  }
+};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_POLYGON_SOUP_REPAIRS_H

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_POLYGON_SOUP_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_POLYGON_SOUP_H
+
+#include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
+
+#include <CGAL/Simple_cartesian.h>
+
+#include <boost/range/iterator_range.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Polygons of any number of corners in a row; the corners of all of them are numbered in a row, too.
+class Polygons
+{
+public:
+  using Corners = boost::iterator_range<std::vector<std::size_t>::const_iterator>;
+
+  std::size_t size() const { return m_first.size() - 1; }
+  std::size_t number_of_corners() const { return m_corners.size(); }
+  std::size_t first_corner(std::size_t polygon) const { return m_first[polygon]; }
+  std::size_t corner(std::size_t number) const { return m_corners[number]; }
+  Corners operator[](std::size_t polygon) const
+  {
+    const auto begin = m_corners.begin();
+    return {begin + std::ptrdiff_t(m_first[polygon]), begin + std::ptrdiff_t(m_first[polygon + 1])};
+  }
+
+  template <typename Range>
+  void add(const Range& corners)
+  {
+    m_corners.insert(m_corners.end(), corners.begin(), corners.end());
+    m_first.push_back(m_corners.size());
+  }
+
+private:
+  std::vector<std::size_t> m_first = {0}; // of every polygon, and the end
+  std::vector<std::size_t> m_corners;
+};
+
+// Polygons whose corners are indices of points, whatever is wrong with them.
+struct Polygon_soup
+{
+  using Point_3 = Simple_cartesian<double>::Point_3;
+  using Vector_3 = Simple_cartesian<double>::Vector_3;
+
+  std::vector<Point_3> points;
+  Polygons polygons;
+};
+
+// Along the normal of the polygon and as long as its area is large.
+template <typename Corners>
+Polygon_soup::Vector_3 area_vector(const std::vector<Polygon_soup::Point_3>& points, const Corners& corners)
+{
+  std::vector<Polygon_soup::Point_3> polygon;
+  for (const std::size_t corner : corners)
+    polygon.push_back(points[corner]);
+  return polygon_area_vector(polygon);
+}
+
+// Points that lie on each other are at one place, which is named by the first of them.
+inline std::vector<std::size_t> places(const std::vector<Polygon_soup::Point_3>& points)
+{
+  // with their first coordinates: a comparison seldom has to look up the points
+  std::vector<std::pair<double, std::size_t>> order;
+  order.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    order.emplace_back(points[i].x(), i);
+  std::sort(order.begin(), order.end(),
+            [&](const auto& a, const auto& b)
+            {
+              if (a.first != b.first)
+                return a.first < b.first;
+              const Polygon_soup::Point_3 &p = points[a.second], &q = points[b.second];
+              return p < q || (p == q && a.second < b.second);
+            });
+  std::vector<std::size_t> result(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const std::size_t point = order[i].second;
+    const bool is_new = i == 0 || points[point] != points[order[i - 1].second];
+    result[point] = is_new ? point : result[order[i - 1].second];
+  }
+  return result;
+}
+
+// Scales the points by a power of two, which changes no digit, so that squares of areas neither overflow nor vanish.
+inline void scale_to_unit(std::vector<Polygon_soup::Point_3>& points)
+{
+  double largest = 0;
+  for (const Polygon_soup::Point_3& p : points)
+    largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  for (Polygon_soup::Point_3& p : points)
+    p = {std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent), std::ldexp(p.z(), -exponent)};
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_POLYGON_SOUP_H

@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Specks: connected components so small beside the largest one that they are noise, as dust of a scanner. They get no
+// segments of their own, and all others are segmented as if there were none.
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_SMALL_COMPONENTS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_SMALL_COMPONENTS_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A speck has less of the area of the largest component, and fewer faces than that: less than half of the least protrusion,
+// which has .0025 of its component. A figure on a large floor of few faces is none.
+constexpr double area_share_of_speck = 0.001;
+
+// The component of every face, numbered in the order of their first faces.
+inline std::vector<Indexed_surface::Index> components_of_faces(const Surface_arrays& surface)
+{
+  using Index = Indexed_surface::Index;
+  std::vector<Index> result(surface.number_of_faces(), Indexed_surface::no_face()), stack;
+  const auto enter = [&](Index face, Index component)
+  {
+    if (face == Indexed_surface::no_face() || result[face] != Indexed_surface::no_face())
+      return false;
+    result[face] = component;
+    stack.push_back(face);
+    return true;
+  };
+  Index number = 0;
+  for (Index seed = 0; seed < surface.number_of_faces(); ++seed)
+  {
+    if (enter(seed, number))
+      ++number;
+    while (!stack.empty())
+    {
+      const Index f = stack.back();
+      stack.pop_back();
+      for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
+        enter(surface.neighbor(c), number - 1);
+    }
+  }
+  return result;
+}
+
+// Areas and centroids of faces, in a unit in which squares of areas neither overflow nor vanish: a power of two, which
+// changes no digit.
+class Face_measures
+{
+public:
+  using Index = Indexed_surface::Index;
+
+  explicit Face_measures(const Surface_arrays& surface) : m_surface(surface)
+  {
+    double largest = 0;
+    for (const Indexed_surface::Point_3& p : surface.points)
+      largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+    std::frexp(largest, &m_exponent);
+  }
+
+  Polygon_measures operator()(Index face)
+  {
+    m_corners.clear();
+    for (Index c = m_surface.first_corner(face); c < m_surface.first_corner(face + 1); ++c)
+    {
+      const Indexed_surface::Point_3& p = m_surface.point(m_surface.vertex(c));
+      m_corners.emplace_back(std::ldexp(p.x(), -m_exponent), std::ldexp(p.y(), -m_exponent),
+                             std::ldexp(p.z(), -m_exponent));
+    }
+    return measure_polygon(m_corners);
+  }
+
+private:
+  const Surface_arrays& m_surface;
+  int m_exponent = 0;
+  std::vector<Indexed_surface::Point_3> m_corners;
+};
+
+// For every component whether it is a speck.
+inline std::vector<bool> specks_among(const Surface_arrays& surface,
+                                      const std::vector<Indexed_surface::Index>& components)
+{
+  if (components.empty())
+    return {};
+  const std::size_t number = std::size_t(*std::max_element(components.begin(), components.end())) + 1;
+  if (number == 1)
+    return {false};
+  Face_measures measure(surface);
+  std::vector<double> areas(number, 0);
+  std::vector<std::size_t> face_counts(number, 0);
+  for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
+  {
+    areas[components[f]] += measure(f).area;
+    ++face_counts[components[f]];
+  }
+  const std::size_t largest = std::size_t(std::max_element(areas.begin(), areas.end()) - areas.begin());
+  std::vector<bool> result;
+  for (std::size_t c = 0; c < number; ++c)
+    result.push_back(areas[c] < area_share_of_speck * areas[largest] && face_counts[c] < face_counts[largest]);
+  return result;
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_SMALL_COMPONENTS_H
