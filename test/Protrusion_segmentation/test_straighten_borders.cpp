@@ -60,11 +60,21 @@ double length_on_mesh(const Test_mesh& mesh, float length)
   return length * std::sqrt(to_surface(mesh).area());
 }
 
+// Squares in a plane. The last row stands upright: of a flat surface the normals would lean outwards near its border.
+Test_mesh nearly_flat_sheet(int n)
+{
+  Test_mesh mesh = sheet(n, n);
+  for (Point& p : mesh.points)
+    if (p[1] == n)
+      p = {p[0], n - 1., 1};
+  return mesh;
+}
+
 // A border that climbs one square in every four.
 void a_staircase_has_the_length_of_its_chord()
 {
   const int n = 32;
-  const Test_mesh mesh = sheet(n, n);
+  const Test_mesh mesh = nearly_flat_sheet(n);
   const Borders found = borders_of_region(mesh, [](const Point& p) { return p[1] < 8 + std::floor(p[0] / 4); });
   CHECK_CLOSE(length_on_mesh(mesh, found.ragged.border_length[0]), n + n / 4 - 1, precision * n);
   CHECK_CLOSE(length_on_mesh(mesh, found.straight.border_length[0]), std::hypot(n, n / 4 - 1), precision * n);
