@@ -52,7 +52,7 @@ using Borders = std::vector<Border>;
 double log_odds(double probability)
 {
   constexpr double least = 1e-9;
-  const double p = std::min(std::max(probability, least), 1 - least);
+  const double p = (std::min)((std::max)(probability, least), 1 - least);
   return std::log(p / (1 - p));
 }
 
@@ -222,7 +222,7 @@ void print_table(const Borders& borders)
   {
     double number = 0, probability = 0, apart = 0;
     for (const Border& border : borders)
-      if (std::min(int(border.probability * number_of_rows), number_of_rows - 1) == row)
+      if ((std::min)(int(border.probability * number_of_rows), number_of_rows - 1) == row)
       {
         ++number;
         probability += border.probability;
