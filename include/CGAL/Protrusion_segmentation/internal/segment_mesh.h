@@ -63,7 +63,7 @@ auto run_on_mesh(const FaceGraph& mesh, const NamedParameters& np, Run run)
       const Stage_scope stage(observer, Stage::READING);
       Rest_of_surface rest = leave_out_specks(read_arrays(mesh, np));
       if (rest.number_of_specks > 0)
-        visitor.on_specks(rest.number_of_specks);
+        observer.specks_left_out(rest.number_of_specks);
       execution.check();
       surface.emplace(std::move(rest), execution.is_parallel());
     }

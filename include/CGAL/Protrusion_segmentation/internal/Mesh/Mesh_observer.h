@@ -35,6 +35,8 @@ public:
   // to be called before any face is reported; the surface must outlive the object
   void set_surface(const Canonical_surface& surface) { m_surface = &surface; }
 
+  void specks_left_out(std::size_t number) { m_visitor.on_specks(number); }
+
   bool go_further() override { return m_visitor.go_further(); }
   void progress(double share) override { m_visitor.on_progress(share); }
   void distances_computed(std::size_t number_of_runs) override { m_visitor.on_distances(number_of_runs); }
