@@ -53,6 +53,12 @@ struct Weighted_dual_graph
   {
     return boost::irange(first_arc[node], first_arc[node + 1]);
   }
+  // the arc between two neighbouring nodes
+  Index arc_between(Index from, Index to) const
+  {
+    const auto candidates = arcs(from);
+    return *std::find_if(candidates.begin(), candidates.end(), [&](Index arc) { return target[arc] == to; });
+  }
   // The length of those edges of a border that lie in a concave seam. Between two faces that is all or nothing.
   float concave_border(Index arc) const
   {

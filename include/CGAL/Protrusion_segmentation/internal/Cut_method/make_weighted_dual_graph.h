@@ -153,10 +153,8 @@ private:
     for_each_face(
       [&](Index f)
       {
-        if (!(m_surface.area(f) > 0))
-          return;
-        const Vector_3 normal = m_surface.area_vector(f) / m_surface.area(f);
-        result[f] = {static_cast<float>(normal.x()), static_cast<float>(normal.y()), static_cast<float>(normal.z())};
+        if (m_surface.area(f) > 0)
+          result[f] = triple(m_surface.area_vector(f) / m_surface.area(f));
       });
     return result;
   }

@@ -10,7 +10,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -42,8 +41,7 @@ inline void measure_volumes(const Indexed_surface& surface,
     const Index g = surface.neighbor(c);
     if (g == Indexed_surface::no_face() || node[g] == node[f])
       return;
-    const auto arcs = graph.arcs(node[f]);
-    const Index arc = *std::find_if(arcs.begin(), arcs.end(), [&](Index a) { return graph.target[a] == node[g]; });
+    const Index arc = graph.arc_between(node[f], node[g]);
     const Vector_3 a = position(surface.point(surface.vertex(c)));
     const Vector_3 b = position(surface.point(surface.vertex(surface.next_corner(f, c))));
     graph.border_area[arc] += cross_product(a, b) / 2;

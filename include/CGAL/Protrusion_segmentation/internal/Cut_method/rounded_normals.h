@@ -63,11 +63,6 @@ private:
   // found between two concave places far from each other; with twice as much, arms of a star are no longer cut off.
   static constexpr double radius = 0.2;
 
-  static Diffusion::Triple triple(const Vector_3& v)
-  {
-    return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-  }
-
   // Outwards in the faces at the border, so much for each edge that after diffusion, by which it thins out over the
   // radius, there is a direction of length 2 all along a straight border.
   Diffusion::Values directions_at_border() const

@@ -191,6 +191,11 @@ private:
   Values m_residual, m_direction, m_product;
 };
 
+inline Diffusion::Triple triple(const Indexed_surface::Vector_3& v)
+{
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
 // Averages vectors over about a radius on the surface. Where faces are small for the radius that is done on groups of
 // about four nodes first, and so on, and the steps between groups are smoothed away: the time for a face does not grow
 // with their number.

@@ -54,7 +54,7 @@ public:
     for (Index i = 0; i < m_coarse.number_of_nodes(); ++i)
       for (Index arc : m_coarse.arcs(i))
         if (const Index j = m_coarse.target[arc]; i < j)
-          straighten(arc, arc_between(j, i));
+          straighten(arc, m_coarse.arc_between(j, i));
   }
 
 private:
@@ -83,7 +83,7 @@ private:
       if (g == Indexed_surface::no_face())
         continue;
       if (m_node[g] != m_node[f])
-        visit(arc_between(m_node[f], m_node[g]), old,
+        visit(m_coarse.arc_between(m_node[f], m_node[g]), old,
               m_surface.point(m_surface.vertex(m_surface.next_corner(f, c))) - m_surface.point(m_surface.vertex(c)));
       ++old;
     }
@@ -98,13 +98,6 @@ private:
       return;
     sums.concave_along += along * m_fine.concave_border(old) / m_fine.border_length[old];
     sums.cost_along += along * m_fine.capacity[old] / m_fine.border_length[old];
-  }
-
-  // there is one
-  Index arc_between(Index from, Index to) const
-  {
-    const auto arcs = m_coarse.arcs(from);
-    return *std::find_if(arcs.begin(), arcs.end(), [&](Index arc) { return m_coarse.target[arc] == to; });
   }
 
   // Both arcs of a border get the same weights, to the last digit.

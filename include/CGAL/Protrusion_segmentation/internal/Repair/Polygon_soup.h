@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_POLYGON_SOUP_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_POLYGON_SOUP_H
 
+#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <CGAL/Simple_cartesian.h>
@@ -12,7 +13,6 @@
 #include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -98,13 +98,9 @@ inline std::vector<std::size_t> places(const std::vector<Polygon_soup::Point_3>&
 // Scales the points by a power of two, which changes no digit, so that squares of areas neither overflow nor vanish.
 inline void scale_to_unit(std::vector<Polygon_soup::Point_3>& points)
 {
-  double largest = 0;
-  for (const Polygon_soup::Point_3& p : points)
-    largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-  int exponent = 0;
-  std::frexp(largest, &exponent);
+  const int exponent = exponent_of_largest_coordinate(points);
   for (Polygon_soup::Point_3& p : points)
-    p = {std::ldexp(p.x(), -exponent), std::ldexp(p.y(), -exponent), std::ldexp(p.z(), -exponent)};
+    p = scaled_by_power_of_two(p, -exponent);
 }
 
 } // namespace internal

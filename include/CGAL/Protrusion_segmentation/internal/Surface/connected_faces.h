@@ -14,12 +14,13 @@ namespace Protrusion_segmentation {
 namespace internal {
 
 // The faces connected to `seed` over faces for which `is_inside(face)` holds, `seed` first. `is_inside` is
-// asked about a face until it says yes and has to say no once the face was told to `enter(face)`.
-template <typename IsInside, typename Enter>
-std::vector<Indexed_surface::Index> connected_faces(const Indexed_surface& surface,
-                                                 Indexed_surface::Index seed,
-                                                 IsInside is_inside,
-                                                 Enter enter)
+// asked about a face until it says yes and has to say no once the face was told to `enter(face)`. `Surface` is
+// `Indexed_surface` or its arrays.
+template <typename Surface, typename IsInside, typename Enter>
+std::vector<Indexed_surface::Index> connected_faces(const Surface& surface,
+                                                    Indexed_surface::Index seed,
+                                                    IsInside is_inside,
+                                                    Enter enter)
 {
   using Index = Indexed_surface::Index;
   std::vector<Index> faces(1, seed);

@@ -18,6 +18,22 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
+// The least e for which all coordinates are below 2^e; 0 if they are all zero.
+inline int exponent_of_largest_coordinate(const std::vector<Indexed_surface::Point_3>& points)
+{
+  double largest = 0;
+  for (const Indexed_surface::Point_3& p : points)
+    largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return exponent;
+}
+
+inline Indexed_surface::Point_3 scaled_by_power_of_two(const Indexed_surface::Point_3& p, int exponent)
+{
+  return {std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent)};
+}
+
 // Moves the box of the points to the origin and scales it by a power of two to [-1, 1]^3; returns the
 // factor back. A power of two changes no digit, so that a mesh scaled by two gives the same numbers.
 // The first scaling keeps the subtraction of coordinates near the largest double from overflowing. Only there
@@ -27,14 +43,10 @@ inline double normalize(std::vector<Indexed_surface::Point_3>& points)
   int exponent = 0;
   const auto scale_by_largest = [&points, &exponent]()
   {
-    double largest = 0;
-    for (const Indexed_surface::Point_3& p : points)
-      largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-    int e = 0;
-    std::frexp(largest, &e);
-    e = (std::min)(e, std::numeric_limits<double>::max_exponent - 1 - exponent);
+    const int e = (std::min)(exponent_of_largest_coordinate(points),
+                             std::numeric_limits<double>::max_exponent - 1 - exponent);
     for (Indexed_surface::Point_3& p : points)
-      p = {std::ldexp(p.x(), -e), std::ldexp(p.y(), -e), std::ldexp(p.z(), -e)};
+      p = scaled_by_power_of_two(p, -e);
     exponent += e;
   };
 

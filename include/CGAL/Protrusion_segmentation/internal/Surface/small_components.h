@@ -10,10 +10,11 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -29,28 +30,16 @@ constexpr double area_share_of_speck = 0.001;
 inline std::vector<Indexed_surface::Index> components_of_faces(const Surface_arrays& surface)
 {
   using Index = Indexed_surface::Index;
-  std::vector<Index> result(surface.number_of_faces(), Indexed_surface::no_face()), stack;
-  const auto enter = [&](Index face, Index component)
-  {
-    if (face == Indexed_surface::no_face() || result[face] != Indexed_surface::no_face())
-      return false;
-    result[face] = component;
-    stack.push_back(face);
-    return true;
-  };
+  std::vector<Index> result(surface.number_of_faces(), Indexed_surface::no_face());
   Index number = 0;
-  for (Index seed = 0; seed < surface.number_of_faces(); ++seed)
-  {
-    if (enter(seed, number))
-      ++number;
-    while (!stack.empty())
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    if (result[f] == Indexed_surface::no_face())
     {
-      const Index f = stack.back();
-      stack.pop_back();
-      for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
-        enter(surface.neighbor(c), number - 1);
+      connected_faces(
+        surface, f, [&](Index g) { return result[g] == Indexed_surface::no_face(); },
+        [&](Index g) { result[g] = number; });
+      ++number;
     }
-  }
   return result;
 }
 
@@ -61,29 +50,21 @@ class Face_measures
 public:
   using Index = Indexed_surface::Index;
 
-  explicit Face_measures(const Surface_arrays& surface) : m_surface(surface)
-  {
-    double largest = 0;
-    for (const Indexed_surface::Point_3& p : surface.points)
-      largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-    std::frexp(largest, &m_exponent);
-  }
+  explicit Face_measures(const Surface_arrays& surface)
+    : m_surface(surface), m_exponent(exponent_of_largest_coordinate(surface.points))
+  {}
 
   Polygon_measures operator()(Index face)
   {
     m_corners.clear();
     for (Index c = m_surface.first_corner(face); c < m_surface.first_corner(face + 1); ++c)
-    {
-      const Indexed_surface::Point_3& p = m_surface.point(m_surface.vertex(c));
-      m_corners.emplace_back(std::ldexp(p.x(), -m_exponent), std::ldexp(p.y(), -m_exponent),
-                             std::ldexp(p.z(), -m_exponent));
-    }
+      m_corners.push_back(scaled_by_power_of_two(m_surface.point(m_surface.vertex(c)), -m_exponent));
     return measure_polygon(m_corners);
   }
 
 private:
   const Surface_arrays& m_surface;
-  int m_exponent = 0;
+  int m_exponent;
   std::vector<Indexed_surface::Point_3> m_corners;
 };
 
