@@ -19,6 +19,7 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <cstddef>
+#include <limits>
 #include <string>
 
 namespace tool
@@ -70,6 +71,30 @@ std::string first_line(const std::string& error)
   const std::string text = place == std::string::npos ? error : error.substr(place + 3);
   return text.substr(0, text.find('\n'));
 }
+
+// As VTK's, but for numbers of values that overflow as numbers of bytes: VTK takes memory for what is left of them, and
+// writes behind it.
+class Reader : public vtkXMLPolyDataReader
+{
+public:
+  static Reader* New()
+  {
+    auto* reader = new Reader;
+    reader->InitializeObjectBase();
+    return reader;
+  }
+
+protected:
+  int ReadArrayValues(vtkXMLDataElement* element, vtkIdType first, vtkAbstractArray* array,
+                      vtkIdType first_of_array, vtkIdType number, FieldType type) override
+  {
+    constexpr vtkIdType maximum = (std::numeric_limits<vtkIdType>::max)() / sizeof(double);
+    if (number >= 0 && number <= maximum)
+      return vtkXMLPolyDataReader::ReadArrayValues(element, first, array, first_of_array, number, type);
+    vtkErrorMacro("announces " << number << " values");
+    return 0;
+  }
+};
 
 // The corners of each cell of an array whose indices VTK has not checked.
 class Cells
@@ -135,7 +160,7 @@ Polygon_soup soup_of(vtkPolyData& data)
 Polygon_soup read_VTP(const std::string& bytes)
 {
   log_errors();
-  const vtkNew<vtkXMLPolyDataReader> reader;
+  const vtkNew<Reader> reader;
   reader->ReadFromInputStringOn();
   reader->SetInputString(bytes);
   reader->Update();
