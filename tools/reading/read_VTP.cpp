@@ -11,14 +11,19 @@
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
+#include <vtkInputStream.h>
 #include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkOutputWindow.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkXMLDataElement.h>
+#include <vtkXMLDataParser.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <string>
 
@@ -72,8 +77,60 @@ std::string first_line(const std::string& error)
   return text.substr(0, text.find('\n'));
 }
 
-// As VTK's, but for numbers of values that overflow as numbers of bytes: VTK takes memory for what is left of them, and
-// writes behind it.
+constexpr std::size_t size_of_largest_word = sizeof(double);
+
+// Would so many words overflow as a number of bytes?
+constexpr bool is_too_many(std::uint64_t words)
+{
+  return words > std::uint64_t((std::numeric_limits<vtkIdType>::max)()) / size_of_largest_word;
+}
+
+// As VTK's, and looks at what a compressed array says of its blocks, which VTK believes.
+class Parser : public vtkXMLDataParser
+{
+public:
+  static Parser* New()
+  {
+    auto* parser = new Parser;
+    parser->InitializeObjectBase();
+    return parser;
+  }
+
+  bool can_read(vtkXMLDataElement* array, bool is_empty)
+  {
+    const char* format = array->GetAttribute("format");
+    vtkTypeInt64 offset = 0;
+    const bool is_appended = array->GetScalarAttribute("offset", offset) != 0;
+    if (Compressor == nullptr || (!is_appended && (format == nullptr || std::string(format) != "binary")))
+      return true;
+    DataStream = is_appended ? AppendedDataStream : InlineDataStream;
+    if (is_appended)
+      SeekG(AppendedDataPosition + offset);
+    else
+      SeekInlineDataPosition(array);
+    DataStream->SetStream(Stream);
+    constexpr int bits_of_large_files = 64;
+    return HeaderType == bits_of_large_files ? has_sound_blocks<std::uint64_t>(is_empty)
+                                             : has_sound_blocks<std::uint32_t>(is_empty);
+  }
+
+private:
+  template <typename Word>
+  bool has_sound_blocks(bool is_empty)
+  {
+    std::array<Word, 3> header = {};
+    DataStream->StartReading();
+    const std::size_t size = DataStream->Read(header.data(), sizeof(header));
+    DataStream->EndReading();
+    PerformByteSwap(header.data(), header.size(), sizeof(Word));
+    const auto [blocks, size_of_block, size_of_last_block] = header; // 0: the last one is as large as the others
+    if (size < sizeof(header) || size_of_block == 0 || size_of_last_block > size_of_block)
+      return false;
+    return blocks == 0 ? is_empty && size_of_last_block == 0 : !is_too_many(blocks);
+  }
+};
+
+// As VTK's, but for arrays that it would take too little memory for, or look for in blocks that are not there.
 class Reader : public vtkXMLPolyDataReader
 {
 public:
@@ -85,13 +142,22 @@ public:
   }
 
 protected:
+  void CreateXMLParser() override
+  {
+    if (XMLParser != nullptr)
+      DestroyXMLParser();
+    XMLParser = Parser::New();
+  }
+
   int ReadArrayValues(vtkXMLDataElement* element, vtkIdType first, vtkAbstractArray* array,
                       vtkIdType first_of_array, vtkIdType number, FieldType type) override
   {
-    constexpr vtkIdType maximum = (std::numeric_limits<vtkIdType>::max)() / sizeof(double);
-    if (number >= 0 && number <= maximum)
+    if (number < 0 || is_too_many(std::uint64_t(number)))
+      vtkErrorMacro("announces " << number << " values");
+    else if (!static_cast<Parser*>(XMLParser)->can_read(element, number == 0))
+      vtkErrorMacro("has a compressed array whose blocks do not fit together");
+    else
       return vtkXMLPolyDataReader::ReadArrayValues(element, first, array, first_of_array, number, type);
-    vtkErrorMacro("announces " << number << " values");
     return 0;
   }
 };
