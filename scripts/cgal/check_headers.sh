@@ -5,8 +5,8 @@
 #
 # check_headers.sh public|all [OPTION...]
 #
-# Every header compiles alone without a warning and without Eigen, Spectra and TBB, as CGAL checks it. (That they do with these
-# libraries is a part of the build for tests.) OPTIONs are for the compiler, CXX, by default g++.
+# Every header compiles alone, and twice in a row, without a warning: without Eigen, Spectra and TBB, as CGAL checks it, or
+# with what OPTIONs for the compiler, CXX, by default g++, name.
 
 set -euo pipefail
 which=${1:?usage: check_headers.sh public|all [OPTION...]}
@@ -15,10 +15,10 @@ cd "$(dirname "$0")/../../include"
 headers=$(find CGAL -name '*.h' | LC_ALL=C sort)
 [ "$which" = all ] || headers=$(grep -v /internal/ <<<"$headers")
 
-# The header comes as the only line of a file, not as the file itself: of that `#pragma once` and others would complain.
+# The header comes as lines of a file, not as the file itself: of that `#pragma once` and others would complain.
 xargs -P "${JOBS:-$(nproc)}" -I '{}' bash -c '
   header=$1
   shift
-  echo "#include <$header>" | "$@" -std=c++17 -fsyntax-only -Wall -Wextra -Werror -I . -x c++ - ||
+  printf "#include <%s>\n" "$header" "$header" | "$@" -std=c++17 -fsyntax-only -Wall -Wextra -Werror -I . -x c++ - ||
     { echo "check_headers.sh: $header does not compile alone" >&2; exit 1; }' _ '{}' "${CXX:-g++}" "$@" <<<"$headers"
-echo "$(wc -l <<<"$headers") headers compile alone, without Eigen, Spectra and TBB"
+echo "$(wc -l <<<"$headers") headers compile alone${*:+ with $*}"

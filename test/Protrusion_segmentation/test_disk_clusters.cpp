@@ -153,7 +153,8 @@ void a_moved_vertex_changes_clusters_nearby()
 void a_large_surface_has_as_many_nodes()
 {
   const Weighted_dual_graph graph = weighted_dual_graph(icosphere(7)); // 327,680 faces
-  const internal::Coarse_graph coarse = internal::make_coarse_graph(graph, quiet_execution());
+  const std::optional<internal::Coarse_graph> groups = internal::make_groups(graph, quiet_execution());
+  const internal::Coarse_graph coarse = internal::make_coarse_graph(graph, groups, quiet_execution());
   CHECK(coarse.graph.number_of_nodes() > 1500 && coarse.graph.number_of_nodes() < 2500);
   CHECK_EQUAL(number_of_pieces(graph, {coarse.node, coarse.graph.number_of_nodes()}), coarse.graph.number_of_nodes());
 }
@@ -161,7 +162,7 @@ void a_large_surface_has_as_many_nodes()
 void a_small_surface_stays_as_it_is()
 {
   const internal::Coarse_graph coarse =
-    internal::make_coarse_graph(weighted_dual_graph(icosphere(2)), quiet_execution());
+    internal::make_coarse_graph(weighted_dual_graph(icosphere(2)), std::nullopt, quiet_execution());
   CHECK_EQUAL(coarse.graph.number_of_nodes(), icosphere(2).faces.size());
   for (Index f = 0; f < coarse.node.size(); ++f)
     CHECK_EQUAL(coarse.node[f], f);

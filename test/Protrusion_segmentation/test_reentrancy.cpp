@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Several threads may segment one constant mesh at the same time. Compiled with the thread sanitizer where
-// there is one, and without TBB, which it does not know.
+// Several threads may segment one constant mesh at the same time. With the thread sanitizer it is compiled without TBB, which
+// that does not know.
 
 #include "optional_distances.h"
 #include "segmentations.h"

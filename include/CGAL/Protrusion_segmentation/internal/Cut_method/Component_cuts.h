@@ -32,17 +32,20 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// A connected surface as the cut method sees it: the faces, and a coarse graph that cuts are searched on.
+// A connected surface as the cut method sees it: the faces, groups of these if there are many, and a coarse graph that
+// cuts are searched on.
 struct Cut_graphs
 {
   Weighted_dual_graph fine;
+  std::optional<Coarse_graph> groups;
   Coarse_graph coarse;
 
   Cut_graphs(const Indexed_surface& surface, const Cut_policy& policy, Execution& execution)
   {
     const Stage_scope stage(execution.observer(), Stage::PREPARATION);
     fine = make_weighted_dual_graph(surface, policy, execution);
-    coarse = make_coarse_graph(fine, execution);
+    groups = make_groups(fine, execution);
+    coarse = make_coarse_graph(fine, groups, execution);
     straighten_borders(surface, fine, coarse.node, coarse.graph, execution.is_parallel());
     measure_volumes(surface, coarse.node, coarse.graph, execution.is_parallel());
     decltype(fine.centre)().swap(fine.centre); // only the coarse graph is made of these

@@ -14,11 +14,8 @@
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 
 #include <CGAL/assertions.h>
-
-#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -49,11 +46,7 @@ public:
     for (Index& label : m_labels) // still the node
       label = m_leaf_of_node[label];
     if (policy.moves_borders_on_faces() && set.segments.size() > 1)
-    {
-      Face_borders borders(cuts.graphs().fine, std::move(m_labels), set.segments.size());
-      borders.refine(execution);
-      m_labels = borders.labels();
-    }
+      move_borders(execution);
     find_border_arcs();
     arrange();
   }
@@ -66,14 +59,14 @@ public:
   std::vector<Protrusion<Index>> protrusions() const
   {
     std::vector<Protrusion<Index>> result(number_of_segments() - 1);
-    const Index_groups faces(m_labels, number_of_segments());
+    const std::vector<Nodes> along_borders = faces_along_borders();
     Graph_partition partition(m_cuts.graphs().fine, m_labels);
     for_each_index(
       result.size(), m_is_parallel, partition,
       [&](Graph_partition& own, std::size_t i)
       {
         const Index s = static_cast<Index>(i + 1);
-        result[i] = describe(s, faces[s], own);
+        result[i] = describe(s, along_borders[s], own);
       },
       [](const Graph_partition&) {});
     return result;
@@ -103,6 +96,26 @@ private:
       both.insert(both.end(), m_leaves[cut->outer].begin(), m_leaves[cut->outer].end());
       m_leaves[cut->segment] = std::move(both);
     }
+  }
+
+  // Of a large surface on groups of faces first: on the faces, borders have a short way then.
+  void move_borders(Execution& execution)
+  {
+    const Cut_graphs& graphs = m_cuts.graphs();
+    if (graphs.groups)
+    {
+      const std::vector<Index>& group = graphs.groups->node;
+      std::vector<Index> labels(graphs.groups->graph.number_of_nodes());
+      for (Index f = 0; f < m_labels.size(); ++f)
+        labels[group[f]] = m_labels[f];
+      Face_borders borders(graphs.groups->graph, std::move(labels), number_of_segments());
+      borders.refine(execution);
+      for (Index f = 0; f < m_labels.size(); ++f)
+        m_labels[f] = borders.labels()[group[f]];
+    }
+    Face_borders borders(graphs.fine, std::move(m_labels), number_of_segments());
+    borders.refine(execution, graphs.groups ? band_of_groups : band_of_clusters);
+    m_labels = borders.labels();
   }
 
   // Gives the leaves their final numbers.
@@ -210,25 +223,34 @@ private:
     return segment == other;
   }
 
-  // The tip is the face of the segment that is farthest from the border to the parent.
-  Protrusion<Index> describe(Index s, const boost::iterator_range<const Index*>& faces, Graph_partition& partition) const
+  // Of every segment the faces at the border to its parent; its first face if it touches that no more, since other borders
+  // moved in between.
+  std::vector<Nodes> faces_along_borders() const
   {
-    const Weighted_dual_graph& graph = m_cuts.graphs().fine;
+    std::vector<Nodes> result(number_of_segments());
+    for (const Border_arc& arc : m_border_arcs)
+    {
+      Nodes& faces = result[m_labels[arc.source]];
+      if (m_labels[arc.target] == m_parents[m_labels[arc.source]] && (faces.empty() || faces.back() != arc.source))
+        faces.push_back(arc.source);
+    }
+    for (Index s = 1; s < number_of_segments(); ++s)
+      if (result[s].empty())
+        result[s].push_back(static_cast<Index>(std::find(m_labels.begin(), m_labels.end(), s) - m_labels.begin()));
+    return result;
+  }
+
+  // The tip is the face of the segment that is farthest from the border to the parent.
+  Protrusion<Index> describe(Index s, const Nodes& along_border, Graph_partition& partition) const
+  {
     const double unit = std::sqrt(m_surface.area()); // there is no border without area
-    Nodes along_border;
-    for (Index f : faces)
-      for (Index arc : graph.arcs(f))
-        if (m_labels[graph.target[arc]] == m_parents[s] && (along_border.empty() || along_border.back() != f))
-          along_border.push_back(f);
-    if (along_border.empty()) // it touches its parent no more, since other borders moved in between
-      along_border.push_back(faces.front());
-    const Nodes_by_distance from_border = partition.nodes_by_distance(
-      along_border, [&](Index f) { return m_labels[f] == s; }, graph.lengths());
+    const auto [tip, distance] = partition.farthest_node(
+      along_border, [&](Index f) { return m_labels[f] == s; }, m_cuts.graphs().fine.lengths());
     Protrusion<Index> result;
     result.segment = s;
     result.parent = m_parents[s];
-    result.tip = from_border.nodes.back();
-    result.border_distance = from_border.distances.back() * unit;
+    result.tip = tip;
+    result.border_distance = distance * unit;
     result.value = m_values[s];
     result.probability = m_probabilities[s];
     result.area = m_areas_beyond[s];

@@ -56,7 +56,7 @@ public:
       const Execution::Subtask subtask(execution, preparation_share * static_cast<double>(c) / static_cast<double>(n),
                                        preparation_share * static_cast<double>(c + 1) / static_cast<double>(n));
       if (n > 1)
-        m_surfaces.push_back(surface_of_its_own((*select)(m_components.faces(c), [](Index) {})));
+        m_surfaces.push_back(surface_of_its_own((*select)(m_components.faces(c))));
       m_cuts.push_back(std::make_unique<Component_cuts>(n > 1 ? m_surfaces.back().surface() : surface, distance,
                                                         execution, policy));
     }

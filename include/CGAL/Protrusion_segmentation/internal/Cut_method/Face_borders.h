@@ -24,8 +24,13 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// Brings a segmentation of the coarse graph to the faces: there, the border between any two neighbouring segments
-// becomes the minimum cut in a narrow band around it.
+// Around borders of the clusters of the coarse graph, and around such of groups of faces: three times the size of a
+// group, eighty thousand of which a surface has.
+constexpr Band band_of_clusters = {0.05, 1.4, 0.7};
+constexpr Band band_of_groups = {0.5, 1, 0.7, 0.01};
+
+// Brings a segmentation of the coarse graph to the faces, or to groups of these: there, the border between any two
+// neighbouring segments becomes the minimum cut in a narrow band around it.
 class Face_borders
 {
 public:
@@ -47,14 +52,14 @@ public:
   Face_borders(const Face_borders&) = delete;
   Face_borders& operator=(const Face_borders&) = delete;
 
-  void refine(Execution& execution)
+  void refine(Execution& execution, const Band& band = band_of_clusters)
   {
     constexpr int number_of_rounds = 2; // a border may change where another one meets it
     for (int round = 0; round < number_of_rounds; ++round)
       for (const auto& [s, t] : neighbors(execution.is_parallel()))
       {
         execution.check();
-        refine(s, t);
+        refine(s, t, band);
       }
   }
 
@@ -83,7 +88,7 @@ private:
 
   // While a border moves, both segments are one, with two sides: the smaller one is the inner. No node is marked before
   // or after.
-  void refine(Index s, Index t)
+  void refine(Index s, Index t, const Band& band)
   {
     if (m_area[s] > m_area[t])
       std::swap(s, t);
@@ -92,7 +97,7 @@ private:
       m_partition.set_segment(f, t);
       m_partition.set_inner(f, true);
     }
-    Nodes changed = move_border(t, m_faces[s]);
+    Nodes changed = move_border(t, m_faces[s], band);
     Nodes inner, outer;
     if (m_connectivity.is_connected(t, true, changed) && m_connectivity.is_connected(t, false, changed))
     {
@@ -118,9 +123,8 @@ private:
 
   // Marks the inner side of the minimum cut in a band around the inner side of the segment; returns the nodes that have
   // changed sides.
-  Nodes move_border(Index segment, const Nodes& inner)
+  Nodes move_border(Index segment, const Nodes& inner, const Band& band)
   {
-    constexpr Band band = {0.05, 1.4, 0.7};
     const Nodes movable = band_of_cut(m_partition, segment, inner, band);
     Band_network network(m_partition, segment, movable, m_number);
     Nodes changed;

@@ -128,26 +128,21 @@ public:
                                       double limit = (std::numeric_limits<double>::infinity)())
   {
     Nodes_by_distance result;
-    ++m_stamp;
-    m_heap.clear();
-    for (Index seed : seeds)
-      offer(seed, 0);
-    while (!m_heap.empty())
-    {
-      std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
-      const float distance = float_of(m_heap.back());
-      const Index node = index_of(m_heap.back());
-      m_heap.pop_back();
-      if (distance > m_distances[node])
-        continue;
-      if (distance > limit)
-        break;
-      result.nodes.push_back(node);
-      result.distances.push_back(distance);
-      for (Index arc : m_graph.arcs(node))
-        if (is_inside(m_graph.target[arc]))
-          offer(m_graph.target[arc], distance + static_cast<float>(length(arc)));
-    }
+    visit_by_distance(seeds, is_inside, length, limit,
+                      [&result](Index node, float distance)
+                      {
+                        result.nodes.push_back(node);
+                        result.distances.push_back(distance);
+                      });
+    return result;
+  }
+  // The last of these nodes and its distance.
+  template <typename IsInside, typename Length>
+  std::pair<Index, double> farthest_node(const Nodes& seeds, IsInside is_inside, Length length)
+  {
+    std::pair<Index, double> result;
+    visit_by_distance(seeds, is_inside, length, (std::numeric_limits<double>::infinity)(),
+                      [&result](Index node, float distance) { result = {node, distance}; });
     return result;
   }
   // The same over one side of a cut.
@@ -240,6 +235,30 @@ private:
       }
     }
     return largest;
+  }
+
+  template <typename IsInside, typename Length, typename Visit>
+  void visit_by_distance(const Nodes& seeds, IsInside is_inside, Length length, double limit, Visit visit)
+  {
+    ++m_stamp;
+    m_heap.clear();
+    for (Index seed : seeds)
+      offer(seed, 0);
+    while (!m_heap.empty())
+    {
+      std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
+      const float distance = float_of(m_heap.back());
+      const Index node = index_of(m_heap.back());
+      m_heap.pop_back();
+      if (distance > m_distances[node])
+        continue;
+      if (distance > limit)
+        break;
+      visit(node, distance);
+      for (Index arc : m_graph.arcs(node))
+        if (is_inside(m_graph.target[arc]))
+          offer(m_graph.target[arc], distance + static_cast<float>(length(arc)));
+    }
   }
 
   void offer(Index node, float distance)

@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/principal_axes.h>
 
@@ -27,13 +28,6 @@
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
-
-// The cluster of every node of a graph; clusters are numbered in the order of their seeds.
-struct Clusters
-{
-  std::vector<Weighted_dual_graph::Index> of_node;
-  Weighted_dual_graph::Index number = 0;
-};
 
 // Divides a connected graph into clusters by a Poisson disk sampling: seeds that are farther from each other than a
 // radius, so many that no node is farther from all of them, and every node goes to the seed that is nearest when ways

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct Band
   double inner;     // as a share of the depth of the inner side
   double outer;     // as a multiple of the inner width
   double outermost; // as a share of the depth of the outer side
+  double widest = (std::numeric_limits<double>::infinity)(); // the inner width at most
 };
 
 // The band's nodes as a flow network with a source, the inner core, and a sink, the outer core.
@@ -186,11 +188,12 @@ inline Graph_partition::Nodes band_of_cut(Graph_partition& partition,
       nodes.push_back(side.nodes[i]);
   };
   const auto length = partition.graph().seam_lengths();
-  const Nodes_by_distance inner_side = partition.nodes_by_distance_on_side(inside, segment, true, length);
-  const double inner_width = band.inner * inner_side.distances.back();
+  // how much deeper a side is than what makes the width makes no difference
+  const Nodes_by_distance inner_side =
+    partition.nodes_by_distance_on_side(inside, segment, true, length, band.widest / band.inner);
+  const double inner_width = (std::min)(band.widest, band.inner * inner_side.distances.back());
   take_up_to(inner_side, inner_width);
   const double outer_width = band.outer * inner_width;
-  // how much deeper the outer side is makes no difference
   const Nodes_by_distance outer_side =
     partition.nodes_by_distance_on_side(outside, segment, false, length, outer_width / band.outermost);
   take_up_to(outer_side, (std::min)(outer_width, band.outermost * outer_side.distances.back()));

@@ -86,7 +86,7 @@ public:
 private:
   void take_in_order(Surface_arrays& arrays, bool is_parallel)
   {
-    Surface_arrays ordered = Face_selector<Surface_arrays>(arrays)(m_position, [](Index) {});
+    Surface_arrays ordered = Face_selector<Surface_arrays>(arrays, is_parallel)(m_position);
     arrays = {}; // before memory is needed for more
     m_surface = std::move(ordered).to_surface(is_parallel);
   }

@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_EXTRACT_SEGMENT_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 
 #include <cstddef>
@@ -24,24 +25,59 @@ class Face_selector
 public:
   using Index = Indexed_surface::Index;
 
-  explicit Face_selector(const Surface& surface)
+  explicit Face_selector(const Surface& surface, bool is_parallel = false)
     : m_surface(surface),
+      m_is_parallel(is_parallel),
       m_new_face(surface.number_of_faces(), none),
       m_new_vertex(surface.number_of_vertices(), none)
   {}
 
-  // The given faces, numbered in the given order; vertices are numbered as the faces need them. Calls
-  // `lost_neighbor(i)` for the i-th face for each neighbour that was not chosen.
-  template <typename LostNeighbor>
-  Surface_arrays operator()(const std::vector<Index>& faces, LostNeighbor lost_neighbor)
+  // The given faces, numbered in the given order; vertices are numbered as the faces need them.
+  Surface_arrays operator()(const std::vector<Index>& faces)
   {
     for (Index i = 0; i < faces.size(); ++i)
       m_new_face[faces[i]] = i;
-    Surface_arrays result = reserved(faces);
+    Surface_arrays result;
+    number_corners(faces, result);
+    select_neighbors(faces, result);
+    select_vertices(faces, result);
+    for (Index f : faces)
+      m_new_face[f] = none;
+    return result;
+  }
+
+private:
+  static constexpr Index none = Indexed_surface::no_face();
+
+  void number_corners(const std::vector<Index>& faces, Surface_arrays& result) const
+  {
+    result.corner_begin.reserve(faces.size() + 1);
+    for (Index f : faces)
+      result.corner_begin.push_back(result.corner_begin.back() + m_surface.first_corner(f + 1) - m_surface.first_corner(f));
+  }
+
+  void select_neighbors(const std::vector<Index>& faces, Surface_arrays& result) const
+  {
+    result.corner_neighbors.resize(result.corner_begin.back());
+    for_each_block(faces.size(), m_is_parallel,
+                   [&](std::size_t begin, std::size_t end, std::size_t)
+                   {
+                     Index corner = result.corner_begin[begin];
+                     for (std::size_t i = begin; i < end; ++i)
+                       for (Index c = m_surface.first_corner(faces[i]); c < m_surface.first_corner(faces[i] + 1); ++c)
+                       {
+                         const Index g = m_surface.neighbor(c);
+                         result.corner_neighbors[corner++] = g == Indexed_surface::no_face() ? g : m_new_face[g];
+                       }
+                   });
+  }
+
+  void select_vertices(const std::vector<Index>& faces, Surface_arrays& result)
+  {
+    result.corner_vertices.reserve(result.corner_begin.back());
     std::vector<Index> vertices; // of the surface, in the order of the points
-    for (Index i = 0; i < faces.size(); ++i)
-    {
-      for (Index c = m_surface.first_corner(faces[i]); c < m_surface.first_corner(faces[i] + 1); ++c)
+    for (Index f : faces)
+      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
       {
         const Index v = m_surface.vertex(c);
         if (m_new_vertex[v] == none)
@@ -50,39 +86,16 @@ public:
           vertices.push_back(v);
         }
         result.corner_vertices.push_back(m_new_vertex[v]);
-        const Index g = m_surface.neighbor(c);
-        result.corner_neighbors.push_back(g == Indexed_surface::no_face() ? g : m_new_face[g]);
-        if (g != Indexed_surface::no_face() && m_new_face[g] == none)
-          lost_neighbor(i);
       }
-      result.corner_begin.push_back(static_cast<Index>(result.corner_vertices.size()));
-    }
     result.points.reserve(vertices.size());
     for (Index v : vertices)
       result.points.push_back(m_surface.point(v));
-    for (Index f : faces)
-      m_new_face[f] = none;
     for (Index v : vertices)
       m_new_vertex[v] = none;
-    return result;
-  }
-
-private:
-  static constexpr Index none = Indexed_surface::no_face();
-
-  Surface_arrays reserved(const std::vector<Index>& faces) const
-  {
-    std::size_t number_of_corners = 0;
-    for (Index f : faces)
-      number_of_corners += m_surface.first_corner(f + 1) - m_surface.first_corner(f);
-    Surface_arrays result;
-    result.corner_begin.reserve(faces.size() + 1);
-    result.corner_vertices.reserve(number_of_corners);
-    result.corner_neighbors.reserve(number_of_corners);
-    return result;
   }
 
   const Surface& m_surface;
+  bool m_is_parallel;
   std::vector<Index> m_new_face;
   std::vector<Index> m_new_vertex;
 };
@@ -101,17 +114,25 @@ class Segment_extractor
 public:
   using Index = Indexed_surface::Index;
 
-  explicit Segment_extractor(const Indexed_surface& surface) : m_select(surface) {}
+  explicit Segment_extractor(const Indexed_surface& surface) : m_surface(surface), m_select(surface) {}
 
   // The segment with the given faces, numbered in the given order.
   Extracted_segment operator()(std::vector<Index> faces)
   {
+    Surface_arrays arrays = m_select(faces);
     std::vector<bool> is_on_cut(faces.size(), false);
-    Surface_arrays arrays = m_select(faces, [&is_on_cut](Index i) { is_on_cut[i] = true; });
+    for (Index i = 0; i < faces.size(); ++i)
+    {
+      Index old = m_surface.first_corner(faces[i]);
+      for (Index c = arrays.first_corner(i); c < arrays.first_corner(i + 1); ++c, ++old)
+        if (arrays.neighbor(c) != m_surface.neighbor(old) && arrays.neighbor(c) == Indexed_surface::no_face())
+          is_on_cut[i] = true;
+    }
     return {std::move(arrays).to_surface(), std::move(faces), std::move(is_on_cut)};
   }
 
 private:
+  const Indexed_surface& m_surface;
   Face_selector<Indexed_surface> m_select;
 };
 

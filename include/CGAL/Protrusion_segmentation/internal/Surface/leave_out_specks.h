@@ -90,7 +90,7 @@ CGAL_PROTRUSION_SEGMENTATION_INLINE Rest_of_surface leave_out_specks(Surface_arr
   for (Index f = 0; f < component.size(); ++f)
     if (is_speck[component[f]])
       result.stand_ins[f] = std::get<Index>(found[component[f]]);
-  result.arrays = Face_selector<Surface_arrays>(surface)(result.faces, [](Index) {});
+  result.arrays = Face_selector<Surface_arrays>(surface)(result.faces);
   return result;
 }
 

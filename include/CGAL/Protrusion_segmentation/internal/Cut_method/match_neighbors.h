@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_MATCH_NEIGHBORS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_MATCH_NEIGHBORS_H
+
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/range/irange.hpp>
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Connected nodes with areas, and how strongly neighbours are tied: the arcs of node i are first_arc[i] to
+// first_arc[i + 1] - 1.
+struct Tied_nodes
+{
+  using Index = Indexed_surface::Index;
+
+  const std::vector<Index>& first_arc;
+  const std::vector<Index>& target; // of every arc
+  const std::vector<float>& tie;    // of every arc; that of the arc back is the same
+  const std::vector<double>& area;  // of every node
+
+  Index number_of_nodes() const { return static_cast<Index>(area.size()); }
+  boost::integer_range<Index> arcs(Index node) const { return boost::irange(first_arc[node], first_arc[node + 1]); }
+};
+
+// Pairs every node with the neighbour to which it is tied strongest for its size, small nodes first, as long as the pair
+// is no larger than `largest_area`.
+//
+// What is left for a node depends on those before. So that several threads find the same pairs as one, and what is looked
+// at stays in the cache, pairs are only made within blocks of nodes that follow each other. These are near each other on
+// the surface: faces are in such an order, and so are pairs, which are numbered by their first nodes.
+class Neighbor_matcher
+{
+public:
+  using Index = Tied_nodes::Index;
+
+  Neighbor_matcher(const Tied_nodes& nodes, double largest_area)
+    : m_nodes(nodes), m_largest_area(largest_area), m_partner(nodes.number_of_nodes(), unmatched)
+  {}
+
+  // Makes no more pairs than `wanted`. Returns for every node the number of its pair, and how many there are.
+  std::pair<std::vector<Index>, Index> operator()(Index wanted, bool is_parallel)
+  {
+    const std::size_t n = m_partner.size();
+    const std::size_t number_of_blocks = (n + nodes_of_block - 1) / nodes_of_block;
+    std::vector<Index> first_number(number_of_blocks + 1, 0); // of the pairs of each block
+    for_each_index(number_of_blocks, is_parallel,
+                   [&](std::size_t b)
+                   {
+                     const Block block = {static_cast<Index>(b * nodes_of_block),
+                                          static_cast<Index>((std::min)(n, (b + 1) * nodes_of_block))};
+                     const auto share = [&](Index nodes) { return static_cast<Index>(std::uint64_t(wanted) * nodes / n); };
+                     const Index pairs = match_nodes(block, share(block.end) - share(block.begin));
+                     first_number[b + 1] = block.end - block.begin - pairs;
+                   });
+    std::partial_sum(first_number.begin(), first_number.end(), first_number.begin());
+    std::vector<Index> number(n);
+    for_each_index(number_of_blocks, is_parallel,
+                   [&](std::size_t b)
+                   {
+                     Index next = first_number[b];
+                     const std::size_t end = (std::min)(n, (b + 1) * nodes_of_block);
+                     for (std::size_t i = b * nodes_of_block; i < end; ++i)
+                       number[i] = m_partner[i] < i ? number[m_partner[i]] : next++;
+                   });
+    return {std::move(number), first_number.back()};
+  }
+
+private:
+  static constexpr Index unmatched = Indexed_surface::no_face();
+  // Of sixteen thousand the arrays fit into a core's cache, and few nodes have their best partner in another block.
+  static constexpr std::size_t nodes_of_block = 1 << 14;
+
+  struct Block
+  {
+    Index begin, end;
+  };
+
+  // Returns how many pairs it made, at most `wanted`.
+  Index match_nodes(const Block& block, Index wanted)
+  {
+    std::vector<Float_key> keys; // by area, as far as single precision tells them apart
+    keys.reserve(block.end - block.begin);
+    for (Index i = block.begin; i < block.end; ++i)
+      keys.push_back(float_key(static_cast<float>(m_nodes.area[i]), i));
+    boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
+    Index pairs = 0;
+    for (std::size_t k = 0; k < keys.size() && pairs < wanted; ++k)
+      if (m_partner[index_of(keys[k])] == unmatched)
+        pairs += match(index_of(keys[k]), block);
+    return pairs;
+  }
+
+  // Returns whether it found a partner.
+  bool match(Index i, const Block& block)
+  {
+    double strongest = -1;
+    for (Index arc : m_nodes.arcs(i))
+    {
+      const Index j = m_nodes.target[arc];
+      if (j == i || j < block.begin || j >= block.end || m_partner[j] != unmatched ||
+          m_nodes.area[i] + m_nodes.area[j] > m_largest_area)
+        continue;
+      const double area = m_nodes.area[i] * m_nodes.area[j];
+      const double strength =
+        area > 0 ? CGAL::square(static_cast<double>(m_nodes.tie[arc])) / area : (std::numeric_limits<double>::max)();
+      if (strength > strongest)
+      {
+        strongest = strength;
+        m_partner[i] = j;
+      }
+    }
+    if (m_partner[i] == unmatched)
+      return false;
+    m_partner[m_partner[i]] = i;
+    return true;
+  }
+
+  Tied_nodes m_nodes;
+  double m_largest_area;
+  std::vector<Index> m_partner;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_MATCH_NEIGHBORS_H
