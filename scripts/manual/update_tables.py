@@ -113,7 +113,7 @@ def figure(file, heading, row, column):
 def constant(header, name, old_value):
     """The value; where it is not found, an error is printed and the old one stays."""
     text = "".join(file.read_text(encoding="utf-8") for file in HEADERS.rglob(header))
-    found = re.search(rf"\b{name}(?:\(\)(?: const)?)? *(?:=|\{{ *return) *(-?[\d.][^;]*);", text)
+    found = re.search(rf"\b{name}(?:\(\)(?: const)?)? *(?:=|\{{ *return) *\{{?(-?[\d.][^;}}]*)\}}?;", text)
     if not found:
         errors.append(f"{MANUAL.name}: {header} has no constant {name}")
     return found.group(1) if found else old_value
