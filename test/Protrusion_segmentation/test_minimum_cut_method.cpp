@@ -43,6 +43,15 @@ void true_parts_are_found()
   check_parts(body_with_hands(), 0.85);
 }
 
+// Of more than 80,000 faces: pairs, groups of faces and borders on them come before the faces.
+void true_parts_of_a_large_surface_are_found()
+{
+  const Test_mesh mesh = star(4, 2, 0.25, 0.04, 0.045);
+  CHECK(mesh.faces.size() > 80000);
+  check_parts(mesh, 0.9);
+  CHECK_EQUAL(automatic_segmentation(mesh).number, 5);
+}
+
 void evident_protrusions_are_counted_without_a_number()
 {
   for (const std::size_t arms : {3, 5, 8})
@@ -171,6 +180,7 @@ void odd_meshes_are_segmented()
 int main()
 {
   true_parts_are_found();
+  true_parts_of_a_large_surface_are_found();
   evident_protrusions_are_counted_without_a_number();
   smooth_tubes_are_whole();
   the_hierarchy_holds_nested_segmentations();
