@@ -135,11 +135,31 @@ void place_and_size_do_not_count()
   CHECK_EQUAL(as_partition(segmentation(translated(plane, {0, 0, 4})).labels) == labels, true);
 }
 
+// A polygon of many edges with a triangle on each: faces that have no neighbour but one do not come together to groups.
+void a_face_may_have_all_others_around_it()
+{
+  constexpr std::size_t teeth = 3000;
+  Test_mesh mesh;
+  Face hub;
+  for (std::size_t i = 0; i < 2 * teeth; ++i)
+  {
+    const double angle = pi * double(i) / teeth, radius = i % 2 == 0 ? 1 : 1.01;
+    mesh.add_point({radius * std::cos(angle), radius * std::sin(angle), 0});
+    if (i % 2 == 0)
+      hub.push_back(i);
+  }
+  mesh.add_face(hub);
+  for (std::size_t i = 0; i < 2 * teeth; i += 2)
+    mesh.add_face({i, i + 1, (i + 2) % (2 * teeth)});
+  CHECK_EQUAL(segmentation(mesh).number, 1u);
+}
+
 int main()
 {
   what_is_flat();
   no_parts_without_concave_corners();
   arms_are_parts();
   place_and_size_do_not_count();
+  a_face_may_have_all_others_around_it();
   return check::result();
 }

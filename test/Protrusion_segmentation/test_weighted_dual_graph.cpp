@@ -235,6 +235,14 @@ void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_o
   CHECK_EQUAL(reached, fine.number_of_nodes());
 }
 
+// Faces of a strip that are next to each other lie far from each other in the order of the faces.
+void a_strip_as_narrow_as_a_face_is_coarsened()
+{
+  const Weighted_dual_graph strip = weighted_dual_graph(to_surface(thin_strip(10000, 1e-4)));
+  for (const Index number : {Index(6000), Index(500)})
+    CHECK(internal::coarsen(strip, number, quiet_execution()).graph.number_of_nodes() < 1.1 * number);
+}
+
 // Threads are there to save time only: all weights and nodes are the same to the last bit, of a surface so large that it
 // is divided among them, and with groups of faces.
 void the_number_of_threads_does_not_matter()
@@ -267,6 +275,7 @@ int main()
   smoothed_normals_of_a_sphere_point_outward();
   groups_of_faces_average_like_faces();
   diffusion_keeps_the_mean();
+  a_strip_as_narrow_as_a_face_is_coarsened();
   the_number_of_threads_does_not_matter();
   seams_lie_where_parts_meet();
   weights_do_not_depend_on_scale();

@@ -46,7 +46,8 @@ struct Tied_nodes
 //
 // What is left for a node depends on those before. So that several threads find the same pairs as one, and what is looked
 // at stays in the cache, pairs are only made within blocks of nodes that follow each other. These are near each other on
-// the surface: faces are in such an order, and so are pairs, which are numbered by their first nodes.
+// the surface: faces are in such an order, and so are pairs, which are numbered by their first nodes. Where they are not,
+// since the order jumps along a surface as narrow as a face, one block has all nodes.
 class Neighbor_matcher
 {
 public:
@@ -59,17 +60,41 @@ public:
   // Makes no more pairs than `wanted`. Returns for every node the number of its pair, and how many there are.
   std::pair<std::vector<Index>, Index> operator()(Index wanted, bool is_parallel)
   {
+    // of sixteen thousand nodes the arrays fit into a core's cache, and few have their best partner in another block
+    constexpr std::size_t nodes_of_block = 1 << 14;
+    const Index n = m_nodes.number_of_nodes();
+    auto result = pairs_in_blocks(nodes_of_block, wanted, is_parallel);
+    if (n > nodes_of_block && n - result.second < (std::min)(wanted, n / 2) / 2)
+    {
+      std::fill(m_partner.begin(), m_partner.end(), unmatched);
+      result = pairs_in_blocks(n, wanted, false);
+    }
+    return result;
+  }
+
+private:
+  static constexpr Index unmatched = Indexed_surface::no_face();
+
+  struct Block
+  {
+    Index begin, end;
+  };
+
+  std::pair<std::vector<Index>, Index> pairs_in_blocks(std::size_t nodes_of_block, Index wanted, bool is_parallel)
+  {
     const std::size_t n = m_partner.size();
     const std::size_t number_of_blocks = (n + nodes_of_block - 1) / nodes_of_block;
+    const auto block = [&](std::size_t b)
+    {
+      return Block{static_cast<Index>(b * nodes_of_block), static_cast<Index>((std::min)(n, (b + 1) * nodes_of_block))};
+    };
+    const auto share = [&](Index nodes) { return static_cast<Index>(std::uint64_t(wanted) * nodes / n); };
     std::vector<Index> first_number(number_of_blocks + 1, 0); // of the pairs of each block
     for_each_index(number_of_blocks, is_parallel,
                    [&](std::size_t b)
                    {
-                     const Block block = {static_cast<Index>(b * nodes_of_block),
-                                          static_cast<Index>((std::min)(n, (b + 1) * nodes_of_block))};
-                     const auto share = [&](Index nodes) { return static_cast<Index>(std::uint64_t(wanted) * nodes / n); };
-                     const Index pairs = match_nodes(block, share(block.end) - share(block.begin));
-                     first_number[b + 1] = block.end - block.begin - pairs;
+                     const auto [begin, end] = block(b);
+                     first_number[b + 1] = end - begin - match_nodes({begin, end}, share(end) - share(begin));
                    });
     std::partial_sum(first_number.begin(), first_number.end(), first_number.begin());
     std::vector<Index> number(n);
@@ -77,22 +102,11 @@ public:
                    [&](std::size_t b)
                    {
                      Index next = first_number[b];
-                     const std::size_t end = (std::min)(n, (b + 1) * nodes_of_block);
-                     for (std::size_t i = b * nodes_of_block; i < end; ++i)
+                     for (Index i = block(b).begin; i < block(b).end; ++i)
                        number[i] = m_partner[i] < i ? number[m_partner[i]] : next++;
                    });
     return {std::move(number), first_number.back()};
   }
-
-private:
-  static constexpr Index unmatched = Indexed_surface::no_face();
-  // Of sixteen thousand the arrays fit into a core's cache, and few nodes have their best partner in another block.
-  static constexpr std::size_t nodes_of_block = 1 << 14;
-
-  struct Block
-  {
-    Index begin, end;
-  };
 
   // Returns how many pairs it made, at most `wanted`.
   Index match_nodes(const Block& block, Index wanted)

@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -226,17 +227,24 @@ private:
       diffuse_twice(graph, scale, time, values);
       return;
     }
-    const double time_between_groups = diffuse_groups(
+    const std::optional<double> time_between_groups = diffuse_groups(
       graph, scale, time, static_cast<Index>((std::max)(graph.number_of_nodes() / 4., least_number_of_groups)), values);
+    if (!time_between_groups)
+    {
+      diffuse_twice(graph, scale, time, values);
+      return;
+    }
     constexpr double tolerance = 1e-2;
-    Diffusion(graph, time_between_groups, scale, m_execution.is_parallel())(values, tolerance, m_execution);
+    Diffusion(graph, *time_between_groups, scale, m_execution.is_parallel())(values, tolerance, m_execution);
   }
 
   // Diffuses the means of about `number` groups; returns how long the steps between these are to be smoothed: over about
-  // the size of a group.
-  double diffuse_groups(const Weighted_dual_graph& graph, double scale, double time, Index number, Values& values) const
+  // the size of a group. Does nothing if the nodes do not come together, such as those around one that is large.
+  std::optional<double> diffuse_groups(const Weighted_dual_graph& graph, double scale, double time, Index number, Values& values) const
   {
     const Coarse_graph groups = coarsen(graph, number, m_execution, &Weighted_dual_graph::border_length);
+    if (groups.graph.number_of_nodes() > graph.number_of_nodes() / 2)
+      return std::nullopt;
     Values means = means_of_groups(graph, groups, values);
     const double time_between_groups = 1. / groups.graph.number_of_nodes();
     diffuse(groups.graph, scale * energy(graph) / energy(groups.graph), time - time_between_groups, means);
