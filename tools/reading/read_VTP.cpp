@@ -14,6 +14,7 @@
 #include <vtkInputStream.h>
 #include <vtkLogger.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -37,12 +38,7 @@ namespace
 class Error_log : public vtkOutputWindow
 {
 public:
-  static Error_log* New()
-  {
-    auto* log = new Error_log;
-    log->InitializeObjectBase();
-    return log;
-  }
+  static Error_log* New();
 
   void DisplayText(const char*) override {}
   void DisplayErrorText(const char* message) override
@@ -57,6 +53,7 @@ public:
     return message;
   }
 };
+vtkStandardNewMacro(Error_log)
 
 void log_errors()
 {
@@ -89,12 +86,7 @@ constexpr bool is_too_many(std::uint64_t words)
 class Parser : public vtkXMLDataParser
 {
 public:
-  static Parser* New()
-  {
-    auto* parser = new Parser;
-    parser->InitializeObjectBase();
-    return parser;
-  }
+  static Parser* New();
 
   bool can_read(vtkXMLDataElement* array, bool is_empty)
   {
@@ -129,17 +121,13 @@ private:
     return blocks == 0 ? is_empty && size_of_last_block == 0 : !is_too_many(blocks);
   }
 };
+vtkStandardNewMacro(Parser)
 
 // As VTK's, but for arrays that it would take too little memory for, or look for in blocks that are not there.
 class Reader : public vtkXMLPolyDataReader
 {
 public:
-  static Reader* New()
-  {
-    auto* reader = new Reader;
-    reader->InitializeObjectBase();
-    return reader;
-  }
+  static Reader* New();
 
 protected:
   void CreateXMLParser() override
@@ -161,6 +149,7 @@ protected:
     return 0;
   }
 };
+vtkStandardNewMacro(Reader)
 
 // The corners of each cell of an array whose indices VTK has not checked.
 class Cells

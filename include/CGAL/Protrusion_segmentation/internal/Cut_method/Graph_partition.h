@@ -6,8 +6,8 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_PARTITION_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Distance_queue.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
 
 #include <CGAL/assertions.h>
 
@@ -15,7 +15,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <utility>
@@ -241,15 +240,12 @@ private:
   void visit_by_distance(const Nodes& seeds, IsInside is_inside, Length length, double limit, Visit visit)
   {
     ++m_stamp;
-    m_heap.clear();
+    m_queue.clear();
     for (Index seed : seeds)
       offer(seed, 0);
-    while (!m_heap.empty())
+    while (!m_queue.empty())
     {
-      std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
-      const float distance = float_of(m_heap.back());
-      const Index node = index_of(m_heap.back());
-      m_heap.pop_back();
+      const auto [node, distance] = m_queue.pop();
       if (distance > m_distances[node])
         continue;
       if (distance > limit)
@@ -267,8 +263,7 @@ private:
       return;
     m_stamps[node] = m_stamp;
     m_distances[node] = distance;
-    m_heap.push_back(float_key(distance, node));
-    std::push_heap(m_heap.begin(), m_heap.end(), std::greater<>());
+    m_queue.push(node, distance);
   }
 
   template <typename IsInside>
@@ -296,7 +291,7 @@ private:
   std::vector<std::uint32_t> m_stamps; // the last operation that reached a node
   std::uint32_t m_stamp = 0;
   std::vector<float> m_distances; // for the operation that reached it
-  std::vector<Float_key> m_heap; // comparing distances takes most of the time
+  Distance_queue m_queue;
 };
 
 } // namespace internal

@@ -7,9 +7,9 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Distance_queue.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/principal_axes.h>
 
 #include <CGAL/number_utils.h>
@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -157,8 +156,7 @@ private:
   void offer(Index node, float distance)
   {
     m_distances[node] = distance;
-    m_heap.push_back(float_key(distance, node));
-    std::push_heap(m_heap.begin(), m_heap.end(), std::greater<>());
+    m_queue.push(node, distance);
   }
 
   // Dijkstra's algorithm from the nodes that were offered, as far as they are nearer than earlier ones. Calls
@@ -166,12 +164,9 @@ private:
   template <typename Length, typename Step>
   void spread(Length length, float limit, Step step)
   {
-    while (!m_heap.empty())
+    while (!m_queue.empty())
     {
-      std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
-      const float distance = float_of(m_heap.back());
-      const Index node = index_of(m_heap.back());
-      m_heap.pop_back();
+      const auto [node, distance] = m_queue.pop();
       if (distance > m_distances[node])
         continue;
       for (Index arc : m_graph.arcs(node))
@@ -195,7 +190,7 @@ private:
   std::vector<Place> m_places;    // by priority
   std::vector<Index> m_seeds;
   std::vector<float> m_distances; // of every node to the nearest seed
-  std::vector<Float_key> m_heap;
+  Distance_queue m_queue;
 };
 
 } // namespace internal

@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_PRINCIPAL_AXES_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_PRINCIPAL_AXES_H
 
+#include <CGAL/double.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
