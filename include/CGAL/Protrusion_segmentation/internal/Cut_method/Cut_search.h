@@ -11,6 +11,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/level_set_cuts.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/merged_regions.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/minimum_cut.h>
 
 #include <algorithm>
@@ -26,8 +27,8 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// Searches a segment of a coarse graph for the cuts that best separate a protrusion from a body: level sets of
-// the distances from protrusion tips, improved by minimum cuts.
+// Searches a segment of a coarse graph for the cuts that best separate a protrusion from a body: around level sets of
+// the distances from protrusion tips and around regions that hang together, improved by minimum cuts.
 class Cut_search
 {
 public:
@@ -59,7 +60,7 @@ public:
   {
     const double segment_area = m_partition.area(nodes);
     std::vector<Cut> cuts;
-    for (const Nodes& inner : different_sets(segment, nodes, orders, level_sets(orders, segment_area), accept))
+    for (const Nodes& inner : different_sets(segment, nodes, orders, accept))
     {
       m_execution.check();
       Cut cut = refined(segment, nodes, inner, segment_area);
@@ -72,8 +73,9 @@ public:
   }
 
 private:
-  // Level sets of a segment that are looked at more closely; a bit each in `m_kept`.
-  static constexpr std::size_t maximum_number_of_sets = 10;
+  // Level sets and regions of a segment that are looked at more closely; a bit each in `m_kept`.
+  static constexpr std::size_t maximum_number_of_level_sets = 10;
+  static constexpr std::size_t maximum_number_of_regions = 8;
 
   // the cheapest first
   std::vector<Level_set> level_sets(const std::vector<Nodes>& orders, double segment_area)
@@ -89,38 +91,67 @@ private:
     return result;
   }
 
-  // The best level sets that differ from each other.
+  // The best level sets and regions that differ from each other.
   template <typename Accept>
-  std::vector<Nodes> different_sets(Index segment,
-                                    const Nodes& segment_nodes,
-                                    const std::vector<Nodes>& orders,
-                                    const std::vector<Level_set>& level_sets,
-                                    Accept accept)
+  std::vector<Nodes> different_sets(Index segment, const Nodes& nodes, const std::vector<Nodes>& orders, Accept accept)
   {
-    constexpr std::size_t looked_at = 60; // most of the rest repeat the first ones
-    std::vector<Nodes> kept;
-    std::vector<double> kept_areas;
-    const double segment_area = m_partition.area(segment_nodes);
-    for (Index i : segment_nodes)
+    constexpr std::size_t level_sets_looked_at = 60; // most of the rest repeat the first ones
+    constexpr std::size_t regions_looked_at = 40;
+    const double segment_area = m_partition.area(nodes);
+    const std::vector<Level_set> sets = level_sets(orders, segment_area);
+    const Merged_regions merged = m_merger(m_partition, segment, nodes, segment_area, m_rank);
+    for (Index i : nodes)
       m_kept[i] = 0;
-    std::size_t looked = 0;
-    for (const Level_set& level_set : level_sets)
+    Kept_sets kept;
+    keep_different(sets.size(), [&](std::size_t i) { return nodes_of(segment, orders[sets[i].order], sets[i]); }, accept,
+                   segment_area, {level_sets_looked_at, maximum_number_of_level_sets}, kept);
+    keep_different(merged.regions.size(), [&](std::size_t i) { return nodes_of(merged, merged.regions[i]); }, accept,
+                   segment_area, {regions_looked_at, maximum_number_of_regions}, kept);
+    return std::move(kept.sets);
+  }
+
+  struct Kept_sets
+  {
+    std::vector<Nodes> sets;
+    std::vector<double> areas;
+  };
+  struct Limits
+  {
+    std::size_t looked_at, kept;
+  };
+
+  // Adds those of a number of sets, `nodes_of_set(i)`, that are accepted and repeat no other one.
+  template <typename Nodes_of_set, typename Accept>
+  void keep_different(std::size_t number_of_sets,
+                      Nodes_of_set nodes_of_set,
+                      Accept accept,
+                      double segment_area,
+                      Limits left,
+                      Kept_sets& kept)
+  {
+    for (std::size_t i = 0; i < number_of_sets && left.looked_at > 0 && left.kept > 0; ++i)
     {
-      if (looked == looked_at || kept.size() == maximum_number_of_sets)
-        break;
-      Nodes nodes = nodes_of(segment, orders[level_set.order], level_set);
+      Nodes nodes = nodes_of_set(i);
       if (!accept(nodes))
         continue;
-      ++looked;
+      --left.looked_at;
       const double area = m_partition.area(nodes);
-      if (is_repetition(nodes, area, segment_area, kept_areas))
+      if (is_repetition(nodes, area, segment_area, kept.areas))
         continue;
+      --left.kept;
       for (Index node : nodes)
-        m_kept[node] |= 1u << kept.size();
-      kept.push_back(std::move(nodes));
-      kept_areas.push_back(area);
+        m_kept[node] |= 1u << kept.sets.size();
+      kept.sets.push_back(std::move(nodes));
+      kept.areas.push_back(area);
     }
-    return kept;
+  }
+
+  static Nodes nodes_of(const Merged_regions& merged, const Region& region)
+  {
+    const auto first = merged.order.begin() + region.first;
+    Nodes nodes(first, first + region.number_of_nodes);
+    std::sort(nodes.begin(), nodes.end());
+    return nodes;
   }
 
   Nodes nodes_of(Index segment, const Nodes& order, const Level_set& level_set)
@@ -139,7 +170,7 @@ private:
                      const std::vector<double>& kept_areas) const
   {
     constexpr double largest_overlap = 0.8;
-    std::array<double, maximum_number_of_sets> common{};
+    std::array<double, maximum_number_of_level_sets + maximum_number_of_regions> common{};
     for (Index node : nodes)
       for (std::size_t k = 0; k < kept_areas.size(); ++k)
         if (m_kept[node] & (1u << k))
@@ -192,6 +223,7 @@ private:
   const Cut_policy& m_policy;
   Execution& m_execution;
   Level_set_sweep m_sweep;
+  Region_merger m_merger;
   std::vector<Index> m_rank;
   std::vector<std::uint32_t> m_kept; // which of the kept sets hold a node, a bit each
   std::vector<Index> m_number;

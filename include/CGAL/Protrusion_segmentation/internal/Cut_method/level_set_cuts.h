@@ -26,14 +26,18 @@ inline bool is_large_enough(double area, double segment_area)
   return (std::min)(area, segment_area - area) >= least_area_of_segment;
 }
 
-// The cost of a cut relative to the area of its smaller side. The exponent lies between the relative length
-// of a loop on a surface, 1/2, which finds the smallest necks, and the ratio cut, 1, which finds halves: 3/4.
+// The cost of a cut relative to an area. The exponent lies between the relative length of a loop on a surface, 1/2,
+// which finds the smallest necks, and the ratio cut, 1, which finds halves: 3/4.
+inline double cost_for_area(double cost, double area)
+{
+  return cost / (std::sqrt(area) * std::sqrt(std::sqrt(area)));
+}
+
+// The same for the area of the smaller side.
 inline double relative_cost(double cost, double area, double segment_area)
 {
-  const double smaller = (std::min)(area, segment_area - area);
-  return is_large_enough(area, segment_area)
-           ? cost / (std::sqrt(smaller) * std::sqrt(std::sqrt(smaller)))
-           : (std::numeric_limits<double>::infinity)();
+  return is_large_enough(area, segment_area) ? cost_for_area(cost, (std::min)(area, segment_area - area))
+                                             : (std::numeric_limits<double>::infinity)();
 }
 
 // A component of a level set: the nodes connected to `node` over nodes not after it in an order of the

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Regions that hang together, against brute force on small surfaces and on a body whose regions are known.
+
+#include "check.h"
+#include "indexed_surfaces.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/merged_regions.h>
+
+#include <array>
+#include <numeric>
+#include <set>
+
+using namespace test_meshes;
+using namespace CGAL::Protrusion_segmentation;
+using internal::Graph_partition;
+using internal::Merged_regions;
+using internal::Region;
+using internal::Weighted_dual_graph;
+using Nodes = Graph_partition::Nodes;
+using Node_set = std::set<Index>;
+
+Weighted_dual_graph weighted_dual_graph(const Test_mesh& mesh)
+{
+  return internal::make_weighted_dual_graph(to_surface(mesh), internal::default_cut_policy(), quiet_execution());
+}
+
+Merged_regions regions_of(const Weighted_dual_graph& graph, Graph_partition& partition, Index segment)
+{
+  Nodes nodes;
+  for (Index i = 0; i < graph.number_of_nodes(); ++i)
+    if (partition.segment(i) == segment)
+      nodes.push_back(i);
+  std::vector<Index> number(graph.number_of_nodes());
+  internal::Region_merger merger;
+  Merged_regions result = merger(partition, segment, nodes, partition.area(nodes), number);
+  Nodes sorted = result.order;
+  std::sort(sorted.begin(), sorted.end());
+  CHECK(sorted == nodes);
+  return result;
+}
+
+Node_set nodes_of(const Merged_regions& merged, const Region& region)
+{
+  const auto first = merged.order.begin() + region.first;
+  return Node_set(first, first + region.number_of_nodes);
+}
+
+double area_of(const Weighted_dual_graph& graph, const Node_set& nodes)
+{
+  return std::accumulate(nodes.begin(), nodes.end(), 0., [&](double sum, Index i) { return sum + graph.area[i]; });
+}
+
+// what lies between two sets of nodes, or around one in its segment
+double cost_between(const Weighted_dual_graph& graph, const Node_set& a, const Node_set& b)
+{
+  double cost = 0;
+  for (const Index i : a)
+    for (const Index arc : graph.arcs(i))
+      if (b.count(graph.target[arc]) > 0 && a.count(graph.target[arc]) == 0)
+        cost += graph.capacity[arc];
+  return cost;
+}
+
+// All clusters that there are while those two are merged that are tied strongest, found by trying all.
+std::set<Node_set> clusters_by_brute_force(const Weighted_dual_graph& graph, const Node_set& segment)
+{
+  std::vector<Node_set> clusters;
+  for (const Index i : segment)
+    clusters.push_back({i});
+  std::set<Node_set> result(clusters.begin(), clusters.end());
+  while (clusters.size() > 1)
+  {
+    double strongest = -1;
+    std::size_t a = 0, b = 0;
+    for (std::size_t i = 0; i < clusters.size(); ++i)
+      for (std::size_t j = i + 1; j < clusters.size(); ++j)
+      {
+        const double cost = cost_between(graph, clusters[i], clusters[j]);
+        const double area = (std::min)(area_of(graph, clusters[i]), area_of(graph, clusters[j]));
+        if (cost > 0 && cost / std::pow(area, 0.75) > strongest)
+        {
+          strongest = cost / std::pow(area, 0.75);
+          a = i;
+          b = j;
+        }
+      }
+    if (strongest < 0)
+      break;
+    clusters[a].insert(clusters[b].begin(), clusters[b].end());
+    clusters.erase(clusters.begin() + static_cast<std::ptrdiff_t>(b));
+    result.insert(clusters[a]);
+  }
+  return result;
+}
+
+void regions_are_the_best_clusters(const Weighted_dual_graph& graph, Graph_partition& partition, Index segment)
+{
+  const Merged_regions merged = regions_of(graph, partition, segment);
+  const Node_set nodes(merged.order.begin(), merged.order.end());
+  const std::set<Node_set> clusters = clusters_by_brute_force(graph, nodes);
+  const double segment_area = area_of(graph, nodes);
+  const auto cost = [&](const Node_set& set)
+  { return internal::relative_cost(cost_between(graph, set, nodes), area_of(graph, set), segment_area); };
+  double best = infinity, before = 0;
+  for (const Node_set& cluster : clusters)
+    if (cluster.size() > 1)
+      best = (std::min)(best, cost(cluster));
+  for (const Region& region : merged.regions)
+  {
+    const Node_set set = nodes_of(merged, region);
+    CHECK_EQUAL(clusters.count(set), 1u);
+    CHECK_CLOSE(region.relative_cost, cost(set), 1e-9 * (1 + region.relative_cost));
+    CHECK(region.relative_cost >= before);
+    before = region.relative_cost;
+  }
+  CHECK_EQUAL(merged.regions.empty(), best == infinity);
+  if (!merged.regions.empty())
+    CHECK_CLOSE(merged.regions.front().relative_cost, best, 1e-9 * (1 + best));
+}
+
+void random_surfaces(unsigned int seed)
+{
+  const Weighted_dual_graph graph = weighted_dual_graph(random_surface(seed));
+  Graph_partition whole(graph, std::vector<Index>(graph.number_of_nodes(), 0));
+  regions_are_the_best_clusters(graph, whole, 0);
+  // a segment that need not be connected
+  std::vector<Index> segments(graph.number_of_nodes());
+  for (Index i = 0; i < segments.size(); ++i)
+    segments[i] = (i / 7 + seed) % 2;
+  Graph_partition parts(graph, segments);
+  regions_are_the_best_clusters(graph, parts, 0);
+}
+
+// A fish: a long body with a fin on its back that is as long as half of it, low and thin. A level set of the distance from
+// any tip is round; the fin is not.
+void a_low_fin_is_a_region()
+{
+  std::set<std::array<int, 3>> cubes;
+  for (int x = 0; x < 24; ++x)
+    for (int y = 0; y < 7; ++y)
+      for (int z = 0; z < 7; ++z)
+        cubes.insert({x, y, z});
+  for (int x = 6; x < 18; ++x)
+    for (int z = 7; z < 10; ++z)
+      cubes.insert({x, 3, z});
+  const Test_mesh mesh = triangulated(voxels(cubes));
+  const Indexed_surface surface = to_surface(mesh);
+  const Weighted_dual_graph graph = weighted_dual_graph(mesh);
+  Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
+  const Merged_regions merged = regions_of(graph, partition, 0);
+  const auto is_of_fin = [&](Index face) { return surface.centroid(face).z() > 7; };
+  Node_set fin;
+  for (const Index i : merged.order)
+    if (is_of_fin(i))
+      fin.insert(i);
+  double best = 0; // overlap
+  for (const Region& region : merged.regions)
+  {
+    const Node_set set = nodes_of(merged, region);
+    const double common = static_cast<double>(std::count_if(set.begin(), set.end(), is_of_fin));
+    best = (std::max)(best, common / static_cast<double>(set.size() + fin.size() - static_cast<std::size_t>(common)));
+  }
+  CHECK(best > 0.95);
+}
+
+// Areas and ties of zero.
+void collapsed_faces()
+{
+  Test_mesh mesh = star(4);
+  for (std::size_t p = 0; p < mesh.points.size(); p += 16)
+    mesh.points[p] = mesh.points.front();
+  const Weighted_dual_graph graph = weighted_dual_graph(mesh);
+  Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
+  for (const Region& region : regions_of(graph, partition, 0).regions)
+    CHECK(region.relative_cost >= 0 && region.relative_cost < infinity);
+}
+
+int main()
+{
+  for (unsigned int seed = 0; seed < 15; ++seed)
+    random_surfaces(seed);
+  a_low_fin_is_a_region();
+  collapsed_faces();
+  return check::result();
+}
