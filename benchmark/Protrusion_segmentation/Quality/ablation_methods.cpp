@@ -38,6 +38,11 @@ struct Without_cost_of_seams : Cut_policy
   double length_of_angle() const override { return 0; }
 };
 
+struct Without_regions : Cut_policy
+{
+  std::size_t number_of_regions() const override { return 0; }
+};
+
 struct Without_minimum_cuts : Cut_policy
 {
   bool prefers_minimum_cut(double, double) const override { return false; }
@@ -100,6 +105,7 @@ Segmentation_method without_clues(const std::string& ingredient, std::vector<dou
 std::vector<Segmentation_method> ablation_methods()
 {
   return {without("cost-of-seams", std::make_shared<Without_cost_of_seams>()),
+          without("regions", std::make_shared<Without_regions>()),
           without("minimum-cuts", std::make_shared<Without_minimum_cuts>()),
           without("choice-of-cheaper", std::make_shared<Without_choice_of_cheaper>()),
           without("choosing-together", std::make_shared<Without_choosing_together>()),

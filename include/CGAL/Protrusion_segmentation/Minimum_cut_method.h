@@ -26,7 +26,8 @@ namespace Protrusion_segmentation {
 The default method: borders along concave seams.
 
 A cut costs its length, little where it runs along a concave seam. Candidates are those level sets of the
-distances from protrusion tips that cost least for the area that they cut off. Where the minimum cut in a band
+distances from protrusion tips that cost least for the area that they cut off, and regions that hang together more than
+with what is around, as the fin of a fish, which is no level set. Where the minimum cut in a band
 around a candidate is better, it takes its place. The value of a cut is estimated from a dozen clues: how much of it
 lies in a concave seam, its length, how suddenly the surface widens behind it, how round it is and others, and from
 the areas on both sides. The cuts are chosen together: the three best sets of cuts are kept while segments are added,

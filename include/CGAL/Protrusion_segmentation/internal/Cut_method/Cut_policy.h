@@ -40,10 +40,18 @@ public:
   // candidates get better.
   virtual double length_of_angle() const { return 0.4; }
 
-  // Of a level set and the minimum cut near it, the cheaper one, by their relative costs.
-  virtual bool prefers_minimum_cut(double cost_of_level_set, double cost_of_minimum_cut) const
+  // How many regions that hang together are candidates in a segment, beside ten level sets. The Rand index error on the
+  // development models of the Princeton benchmark is .090 with none, .089 with three, .088 with six to twelve.
+  virtual std::size_t number_of_regions() const
   {
-    return cost_of_minimum_cut < cost_of_level_set;
+    constexpr std::size_t number_of_regions = 8;
+    return number_of_regions;
+  }
+
+  // Of a candidate and the minimum cut near it, the cheaper one, by their relative costs.
+  virtual bool prefers_minimum_cut(double cost_of_candidate, double cost_of_minimum_cut) const
+  {
+    return cost_of_minimum_cut < cost_of_candidate;
   }
 
   // How many sets of cuts are kept while segments are added. With more, errors of the value are exploited: the Rand

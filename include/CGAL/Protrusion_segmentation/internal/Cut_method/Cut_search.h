@@ -14,6 +14,8 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/merged_regions.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/minimum_cut.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -73,9 +75,10 @@ public:
   }
 
 private:
-  // Level sets and regions of a segment that are looked at more closely; a bit each in `m_kept`.
+  // Level sets of a segment that are looked at more closely.
   static constexpr std::size_t maximum_number_of_level_sets = 10;
-  static constexpr std::size_t maximum_number_of_regions = 8;
+  // What is looked at more closely is a bit each in `m_kept`.
+  static constexpr std::size_t maximum_number_of_sets = 32;
 
   // the cheapest first
   std::vector<Level_set> level_sets(const std::vector<Nodes>& orders, double segment_area)
@@ -98,15 +101,19 @@ private:
     constexpr std::size_t level_sets_looked_at = 60; // most of the rest repeat the first ones
     constexpr std::size_t regions_looked_at = 40;
     const double segment_area = m_partition.area(nodes);
+    const std::size_t number_of_regions = m_policy.number_of_regions();
+    CGAL_assertion(maximum_number_of_level_sets + number_of_regions <= maximum_number_of_sets);
     const std::vector<Level_set> sets = level_sets(orders, segment_area);
-    const Merged_regions merged = m_merger(m_partition, segment, nodes, segment_area, m_rank);
     for (Index i : nodes)
       m_kept[i] = 0;
     Kept_sets kept;
-    keep_different(sets.size(), [&](std::size_t i) { return nodes_of(segment, orders[sets[i].order], sets[i]); }, accept,
-                   segment_area, {level_sets_looked_at, maximum_number_of_level_sets}, kept);
-    keep_different(merged.regions.size(), [&](std::size_t i) { return nodes_of(merged, merged.regions[i]); }, accept,
-                   segment_area, {regions_looked_at, maximum_number_of_regions}, kept);
+    keep_different(
+      sets.size(), [&](std::size_t i) { return nodes_of(segment, orders[sets[i].order], sets[i]); }, accept,
+      segment_area, {level_sets_looked_at, maximum_number_of_level_sets}, kept);
+    const Merged_regions merged = m_merger(m_partition, segment, nodes, segment_area, m_rank);
+    keep_different(
+      merged.regions.size(), [&](std::size_t i) { return nodes_of(merged, merged.regions[i]); }, accept, segment_area,
+      {regions_looked_at, number_of_regions}, kept);
     return std::move(kept.sets);
   }
 
@@ -170,7 +177,7 @@ private:
                      const std::vector<double>& kept_areas) const
   {
     constexpr double largest_overlap = 0.8;
-    std::array<double, maximum_number_of_level_sets + maximum_number_of_regions> common{};
+    std::array<double, maximum_number_of_sets> common{};
     for (Index node : nodes)
       for (std::size_t k = 0; k < kept_areas.size(); ++k)
         if (m_kept[node] & (1u << k))
