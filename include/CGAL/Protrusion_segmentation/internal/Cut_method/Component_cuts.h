@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -120,6 +121,14 @@ private:
   static bool contains(const Nodes& ascending, Index node)
   {
     return std::binary_search(ascending.begin(), ascending.end(), node);
+  }
+
+  Nodes other_side(Index segment, const Nodes& inner) const
+  {
+    Nodes result;
+    const Nodes& nodes = m_pool[segment].nodes;
+    std::set_difference(nodes.begin(), nodes.end(), inner.begin(), inner.end(), std::back_inserter(result));
+    return result;
   }
 
   Cut_set::Made_cut made_cut(Index segment, const Cut& cut)
@@ -228,8 +237,12 @@ private:
     };
     std::optional<Cut> best;
     for (Cut& cut : m_search.cuts_around(tip, s, m_pool[s].nodes, has_this_tip_only))
+    {
+      if (!contains(cut.inner, tip))
+        cut.inner = other_side(s, cut.inner);
       if (has_this_tip_only(cut.inner) && (!best || cut.value > best->value))
         best = std::move(cut);
+    }
     return best;
   }
 

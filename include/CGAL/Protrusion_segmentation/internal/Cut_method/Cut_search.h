@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -61,17 +60,20 @@ public:
                         Accept accept)
   {
     const double segment_area = m_partition.area(nodes);
+    const Kept_sets sets = different_sets(segment, nodes, orders, segment_area, accept);
     std::vector<Cut> cuts;
-    for (const Nodes& inner : different_sets(segment, nodes, orders, accept))
+    for (std::size_t i = 0; i < sets.sets.size(); ++i)
     {
       m_execution.check();
-      Cut cut = refined(segment, nodes, inner, segment_area);
-      if (std::isfinite(cut.value))
+      Cut cut = refined(segment, nodes, sets.sets[i], segment_area);
+      // around a tip there is always something to be cut off, if it is asked for; a region is a guess
+      const bool is_wrong_guess = i >= sets.number_of_level_sets && cut.value < 0;
+      if (std::isfinite(cut.value) && !is_wrong_guess)
         cuts.push_back(std::move(cut));
     }
     std::stable_sort(cuts.begin(), cuts.end(),
                      [](const Cut& a, const Cut& b) { return a.value > b.value; });
-    return cuts;
+    return without_repetitions(std::move(cuts));
   }
 
 private:
@@ -79,6 +81,13 @@ private:
   static constexpr std::size_t maximum_number_of_level_sets = 10;
   // What is looked at more closely is a bit each in `m_kept`.
   static constexpr std::size_t maximum_number_of_sets = 32;
+
+  struct Kept_sets
+  {
+    std::vector<Nodes> sets;
+    std::vector<double> areas;
+    std::size_t number_of_level_sets = 0; // the first ones; the others are regions
+  };
 
   // the cheapest first
   std::vector<Level_set> level_sets(const std::vector<Nodes>& orders, double segment_area)
@@ -96,11 +105,14 @@ private:
 
   // The best level sets and regions that differ from each other.
   template <typename Accept>
-  std::vector<Nodes> different_sets(Index segment, const Nodes& nodes, const std::vector<Nodes>& orders, Accept accept)
+  Kept_sets different_sets(Index segment,
+                           const Nodes& nodes,
+                           const std::vector<Nodes>& orders,
+                           double segment_area,
+                           Accept accept)
   {
     constexpr std::size_t level_sets_looked_at = 60; // most of the rest repeat the first ones
     constexpr std::size_t regions_looked_at = 40;
-    const double segment_area = m_partition.area(nodes);
     const std::size_t number_of_regions = m_policy.number_of_regions();
     CGAL_assertion(maximum_number_of_level_sets + number_of_regions <= maximum_number_of_sets);
     const std::vector<Level_set> sets = level_sets(orders, segment_area);
@@ -110,18 +122,14 @@ private:
     keep_different(
       sets.size(), [&](std::size_t i) { return nodes_of(segment, orders[sets[i].order], sets[i]); }, accept,
       segment_area, {level_sets_looked_at, maximum_number_of_level_sets}, kept);
+    kept.number_of_level_sets = kept.sets.size();
     const Merged_regions merged = m_merger(m_partition, segment, nodes, segment_area, m_rank);
     keep_different(
       merged.regions.size(), [&](std::size_t i) { return nodes_of(merged, merged.regions[i]); }, accept, segment_area,
       {regions_looked_at, number_of_regions}, kept);
-    return std::move(kept.sets);
+    return kept;
   }
 
-  struct Kept_sets
-  {
-    std::vector<Nodes> sets;
-    std::vector<double> areas;
-  };
   struct Limits
   {
     std::size_t looked_at, kept;
@@ -151,6 +159,16 @@ private:
       kept.sets.push_back(std::move(nodes));
       kept.areas.push_back(area);
     }
+  }
+
+  // Minimum cuts near different sets may be the same. Then they would keep the beam from what is different.
+  static std::vector<Cut> without_repetitions(std::vector<Cut> cuts)
+  {
+    std::vector<Cut> result;
+    for (Cut& cut : cuts)
+      if (std::none_of(result.begin(), result.end(), [&](const Cut& other) { return other.inner == cut.inner; }))
+        result.push_back(std::move(cut));
+    return result;
   }
 
   static Nodes nodes_of(const Merged_regions& merged, const Region& region)
@@ -192,20 +210,23 @@ private:
     return false;
   }
 
+  // `inner`, which is marked, or the other side, which is marked then.
+  Nodes smaller_side(const Nodes& nodes, Nodes inner, double segment_area)
+  {
+    if (2 * m_partition.area(inner) <= segment_area)
+      return inner;
+    for (Index i : nodes)
+      m_partition.set_inner(i, !m_partition.is_inner(i));
+    return m_partition.marked(nodes);
+  }
+
   // The cut around a set of nodes or the minimum cut near it, both sides connected.
   Cut refined(Index segment, const Nodes& nodes, const Nodes& set, double segment_area)
   {
     constexpr Band band = {0.35, 1.4, 0.7};
     m_partition.mark(nodes, set);
     Cut cut;
-    cut.inner = set;
-    if (m_partition.area(set) > segment_area / 2)
-    {
-      cut.inner.clear();
-      std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(cut.inner),
-                   [this](Index i) { return !m_partition.is_inner(i); });
-    }
-    cut.inner = m_partition.connect_sides(nodes, segment, cut.inner);
+    cut.inner = m_partition.connect_sides(nodes, segment, smaller_side(nodes, set, segment_area));
     const double cost = relative_cost_of(segment, cut.inner, segment_area);
     Nodes minimum = refine_cut(m_partition, segment, nodes, cut.inner, band, m_number);
     minimum = m_partition.connect_sides(nodes, segment, minimum);
@@ -213,6 +234,7 @@ private:
       cut.inner = std::move(minimum);
     else
       m_partition.mark(nodes, cut.inner);
+    cut.inner = smaller_side(nodes, std::move(cut.inner), segment_area);
     value_cut(m_partition, segment, nodes, segment_area, m_policy, cut);
     return cut;
   }
