@@ -136,9 +136,9 @@ private:
   };
 
   // Adds those of a number of sets, `nodes_of_set(i)`, that are accepted and repeat no other one.
-  template <typename Nodes_of_set, typename Accept>
+  template <typename NodesOfSet, typename Accept>
   void keep_different(std::size_t number_of_sets,
-                      Nodes_of_set nodes_of_set,
+                      NodesOfSet nodes_of_set,
                       Accept accept,
                       double segment_area,
                       Limits left,
