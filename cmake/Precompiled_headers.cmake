@@ -30,7 +30,8 @@ function(protrusion_reuse_precompiled_headers folder)
   foreach(target ${targets})
     get_target_property(type ${target} TYPE)
     get_target_property(libraries ${target} LINK_LIBRARIES)
-    # What is linked with Qt, as PCL is through VTK, is compiled in another way, and a header that compiles alone does so without others.
+    # What is linked with Qt, as PCL is through VTK, is compiled in another way, and a header that compiles alone does so
+    # without others.
     if(target MATCHES "^(precompiled|test_headers)_" OR libraries MATCHES "Basic_viewer|pcl_" OR
        NOT type MATCHES "EXECUTABLE|STATIC_LIBRARY|OBJECT_LIBRARY" OR
        NOT libraries MATCHES "protrusion_(program|mesh_reader|tool_support)")

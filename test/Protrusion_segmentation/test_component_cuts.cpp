@@ -7,6 +7,7 @@
 #include "check.h"
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
+#include "weighted_dual_graphs.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Component_cuts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Face_borders.h>
@@ -278,8 +279,7 @@ void borders_on_faces_keep_the_segments_connected(const Test_mesh& mesh, std::si
 void random_segments_stay_connected(std::uint_fast32_t seed)
 {
   const Test_mesh mesh = random_surface(seed);
-  const Weighted_dual_graph graph = internal::make_weighted_dual_graph(
-    to_surface(mesh), internal::default_cut_policy(), quiet_execution());
+  const Weighted_dual_graph graph = weighted_dual_graph(mesh);
   const std::size_t number = 2 + seed % 5;
   if (number_of_components(mesh) > 1 || mesh.faces.size() < number)
     return;

@@ -7,9 +7,9 @@
 #include "check.h"
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
+#include "weighted_dual_graphs.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_clues.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 
 using namespace test_meshes;
@@ -29,8 +29,7 @@ public:
   explicit Cut_mesh(const Test_mesh& mesh) : m_mesh(mesh), m_segments(mesh.faces.size(), 0)
   {
     const Indexed_surface surface = to_surface(mesh);
-    m_graph = internal::make_weighted_dual_graph(surface, internal::default_cut_policy(),
-                                                 quiet_execution());
+    m_graph = weighted_dual_graph(surface);
     std::vector<Index> node(mesh.faces.size());
     std::iota(node.begin(), node.end(), Index(0));
     internal::measure_volumes(surface, node, m_graph);

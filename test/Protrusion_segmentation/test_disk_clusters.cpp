@@ -7,10 +7,10 @@
 #include "check.h"
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
+#include "weighted_dual_graphs.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/disk_clusters.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_coarse_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/principal_axes.h>
 
 #include <algorithm>
@@ -25,11 +25,6 @@ using internal::Matrix_3;
 using internal::Weighted_dual_graph;
 
 constexpr Index no_limit = 1000000;
-
-Weighted_dual_graph weighted_dual_graph(const Test_mesh& mesh)
-{
-  return internal::make_weighted_dual_graph(to_surface(mesh), internal::default_cut_policy(), quiet_execution());
-}
 
 Clusters clusters_of(const Weighted_dual_graph& graph, Index largest_number = no_limit)
 {

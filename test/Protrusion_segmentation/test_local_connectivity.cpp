@@ -7,9 +7,9 @@
 #include "check.h"
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
+#include "weighted_dual_graphs.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Local_connectivity.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 
 #include <algorithm>
 
@@ -38,7 +38,7 @@ void mark_disc(Graph_partition& partition, Index seed, std::size_t size)
 
 void agrees_with_a_walk_over_all(const Test_mesh& mesh)
 {
-  const auto graph = internal::make_weighted_dual_graph(to_surface(mesh), internal::default_cut_policy(), quiet_execution());
+  const auto graph = weighted_dual_graph(mesh);
   const Index n = graph.number_of_nodes();
   Random random(n);
   Graph_partition partition(graph, std::vector<Index>(n, 0));
@@ -75,7 +75,7 @@ void agrees_with_a_walk_over_all(const Test_mesh& mesh)
 // A disc may leave a torus; a face of it that comes back alone is seen to be no part of the rest.
 void an_island_is_not_connected()
 {
-  const auto graph = internal::make_weighted_dual_graph(to_surface(torus()), internal::default_cut_policy(), quiet_execution());
+  const auto graph = weighted_dual_graph(torus());
   Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
   internal::Local_connectivity connectivity(partition);
   const auto order = partition.nodes_by_distance({0}, [](Index) { return true; }, graph.lengths());

@@ -7,9 +7,8 @@
 #include "check.h"
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
+#include "weighted_dual_graphs.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/merged_regions.h>
 
 #include <array>
@@ -24,11 +23,6 @@ using internal::Region;
 using internal::Weighted_dual_graph;
 using Nodes = Graph_partition::Nodes;
 using Node_set = std::set<Index>;
-
-Weighted_dual_graph weighted_dual_graph(const Test_mesh& mesh)
-{
-  return internal::make_weighted_dual_graph(to_surface(mesh), internal::default_cut_policy(), quiet_execution());
-}
 
 Merged_regions regions_of(const Weighted_dual_graph& graph, Graph_partition& partition, Index segment)
 {
@@ -149,9 +143,8 @@ void a_low_fin_is_a_region()
   for (int x = 6; x < 18; ++x)
     for (int z = 7; z < 10; ++z)
       cubes.insert({x, 3, z});
-  const Test_mesh mesh = triangulated(voxels(cubes));
-  const Indexed_surface surface = to_surface(mesh);
-  const Weighted_dual_graph graph = weighted_dual_graph(mesh);
+  const Indexed_surface surface = to_surface(triangulated(voxels(cubes)));
+  const Weighted_dual_graph graph = weighted_dual_graph(surface);
   Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
   const Merged_regions merged = regions_of(graph, partition, 0);
   const auto is_of_fin = [&](Index face) { return surface.centroid(face).z() > 7; };

@@ -7,10 +7,10 @@
 #include "check.h"
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
+#include "weighted_dual_graphs.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Tip_orders.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 
 #include <numeric>
@@ -21,11 +21,6 @@ using internal::Graph_partition;
 using internal::Level_set;
 using internal::Weighted_dual_graph;
 using Nodes = Graph_partition::Nodes;
-
-Weighted_dual_graph weighted_dual_graph(const Indexed_surface& surface)
-{
-  return internal::make_weighted_dual_graph(surface, internal::default_cut_policy(), quiet_execution());
-}
 
 Nodes all_nodes(const Weighted_dual_graph& graph)
 {

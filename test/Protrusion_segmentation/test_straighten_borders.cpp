@@ -7,9 +7,9 @@
 #include "check.h"
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
+#include "weighted_dual_graphs.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/straighten_borders.h>
 
 #include <cmath>
@@ -37,8 +37,7 @@ struct Borders
 Borders borders(const Test_mesh& mesh, const std::vector<Index>& node, Index count)
 {
   const Indexed_surface surface = to_surface(mesh);
-  const Weighted_dual_graph fine =
-    internal::make_weighted_dual_graph(surface, internal::default_cut_policy(), quiet_execution());
+  const Weighted_dual_graph fine = weighted_dual_graph(surface);
   Borders result;
   result.ragged = Graph_contraction(fine, node, count, false)();
   result.straight = result.ragged;

@@ -7,6 +7,7 @@
 #include "check.h"
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
+#include "weighted_dual_graphs.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
@@ -21,11 +22,6 @@
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 using internal::Weighted_dual_graph;
-
-Weighted_dual_graph weighted_dual_graph(const Indexed_surface& surface)
-{
-  return internal::make_weighted_dual_graph(surface, internal::default_cut_policy(), quiet_execution());
-}
 
 internal::Diffusion::Values normals_of_faces(const Indexed_surface& surface)
 {

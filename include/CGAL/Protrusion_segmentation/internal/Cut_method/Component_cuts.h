@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -121,14 +120,6 @@ private:
   static bool contains(const Nodes& ascending, Index node)
   {
     return std::binary_search(ascending.begin(), ascending.end(), node);
-  }
-
-  Nodes other_side(Index segment, const Nodes& inner) const
-  {
-    Nodes result;
-    const Nodes& nodes = m_pool[segment].nodes;
-    std::set_difference(nodes.begin(), nodes.end(), inner.begin(), inner.end(), std::back_inserter(result));
-    return result;
   }
 
   Cut_set::Made_cut made_cut(Index segment, const Cut& cut)
@@ -239,7 +230,7 @@ private:
     for (Cut& cut : m_search.cuts_around(tip, s, m_pool[s].nodes, has_this_tip_only))
     {
       if (!contains(cut.inner, tip))
-        cut.inner = other_side(s, cut.inner);
+        cut.inner = m_pool.other_side(s, cut.inner);
       if (has_this_tip_only(cut.inner) && (!best || cut.value > best->value))
         best = std::move(cut);
     }

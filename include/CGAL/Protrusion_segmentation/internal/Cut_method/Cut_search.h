@@ -46,13 +46,14 @@ public:
       m_number(partition.graph().number_of_nodes(), Indexed_surface::no_face())
   {}
 
-  // The cuts of a segment with the given nodes along level sets of the given orders of these nodes, best first.
+  // The cuts of a segment with the given nodes around level sets of the given orders of these nodes and around regions,
+  // best first.
   std::vector<Cut> cuts(Index segment, const Nodes& nodes, const std::vector<Nodes>& orders)
   {
     return cuts(segment, nodes, orders, [](const Nodes&) { return true; });
   }
 
-  // The same along those level sets for which `accept(nodes)` holds.
+  // The same around those of them for which `accept(nodes)` holds.
   template <typename Accept>
   std::vector<Cut> cuts(Index segment,
                         const Nodes& nodes,

@@ -51,14 +51,20 @@ public:
     return found->second;
   }
 
+  // What is left of a segment beside the nodes of one side, in ascending order.
+  Nodes other_side(Index id, const Nodes& side) const
+  {
+    Nodes result;
+    const Nodes& nodes = m_segments[id].nodes;
+    std::set_difference(nodes.begin(), nodes.end(), side.begin(), side.end(), std::back_inserter(result));
+    return result;
+  }
+
   // The segments on the inner and on the outer side of a cut.
   std::pair<Index, Index> sides(Index id, const Nodes& inner)
   {
-    Nodes outer;
-    const Nodes& nodes = m_segments[id].nodes;
-    std::set_difference(nodes.begin(), nodes.end(), inner.begin(), inner.end(), std::back_inserter(outer));
     const Index inner_id = find_or_add(inner);
-    return {inner_id, find_or_add(std::move(outer))};
+    return {inner_id, find_or_add(other_side(id, inner))};
   }
 
 private:

@@ -62,7 +62,7 @@ public:
     return cuts(s, nodes, orders(s, nodes), [](const Nodes&) { return true; });
   }
 
-  // The same along those level sets for which `accept(nodes)` holds, those around `tip` among them.
+  // The same around those level sets and regions for which `accept(nodes)` holds, level sets around `tip` among them.
   template <typename Accept>
   std::vector<Cut> cuts_around(Index tip, Index s, const Nodes& nodes, Accept accept)
   {

@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <limits>
 #include <queue>
 #include <utility>
