@@ -153,7 +153,8 @@ public:
   explicit All_cuts(const Weighted_dual_graph& graph)
     : m_partition(graph, std::vector<Index>(graph.number_of_nodes(), 0)),
       m_search(m_partition, internal::default_cut_policy(), quiet_execution()),
-      m_tip_orders(m_partition, quiet_execution())
+      m_tip_orders(m_partition, quiet_execution()),
+      m_pool(graph)
   {
     Nodes all(graph.number_of_nodes());
     std::iota(all.begin(), all.end(), Index(0));
@@ -186,6 +187,35 @@ public:
     }
     return set.value;
   }
+
+  // The best one of three sets of cuts that get the best of their four best cuts each, again and again.
+  std::vector<Cut_set> best_of_beam(std::size_t number_of_cuts)
+  {
+    std::vector<Cut_set> beam = {m_whole}, result = {m_whole};
+    const auto is_better = [](const Cut_set& a, const Cut_set& b) { return a.value > b.value; };
+    while (!beam.empty() && result.size() <= number_of_cuts)
+    {
+      std::vector<Cut_set> next;
+      for (const Cut_set& set : beam)
+      {
+        std::vector<Cut_set> further = with_one_more_cut(set);
+        std::stable_sort(further.begin(), further.end(), is_better);
+        further.resize((std::min)(further.size(), std::size_t(4)));
+        next.insert(next.end(), further.begin(), further.end());
+      }
+      std::stable_sort(next.begin(), next.end(), is_better);
+      beam.clear();
+      for (const Cut_set& set : next)
+        if (beam.size() < 3 && std::none_of(beam.begin(), beam.end(), [&](const Cut_set& other)
+                                            { return other.segments == set.segments; }))
+          beam.push_back(set);
+      if (!beam.empty())
+        result.push_back(beam.front());
+    }
+    return result;
+  }
+
+  const internal::Segment_pool& pool() const { return m_pool; }
 
 private:
   // The better one of sets with the same segments.
@@ -248,6 +278,59 @@ void check_values(const Test_mesh& mesh, std::size_t largest_number)
     if (cuts <= 2)
       CHECK_CLOSE(found, all.largest_value(cuts), rounding);
   }
+}
+
+std::set<Nodes> nodes_of_segments(const internal::Segment_pool& pool, const Cut_set& set)
+{
+  std::set<Nodes> result;
+  for (const Index s : set.segments)
+    result.insert(pool[s].nodes);
+  return result;
+}
+
+std::size_t number_of_searched_segments(const internal::Segment_pool& pool)
+{
+  std::size_t number = 0;
+  for (Index s = 0; s < pool.number_of_segments(); ++s)
+    number += pool[s].is_searched;
+  return number;
+}
+
+// What is not searched would not have changed anything.
+void few_segments_are_searched(const Test_mesh& mesh, std::size_t number_of_cuts)
+{
+  Cuts_of_mesh of_mesh(mesh);
+  All_cuts all(of_mesh.cuts.graphs().coarse.graph);
+  const std::vector<Cut_set> expected = all.best_of_beam(number_of_cuts);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    const Cut_set* found = of_mesh.cuts.best(i + 1);
+    CHECK(found != nullptr);
+    if (!found)
+      return;
+    CHECK_CLOSE(found->value, expected[i].value, rounding);
+    CHECK(nodes_of_segments(of_mesh.cuts.pool(), *found) == nodes_of_segments(all.pool(), expected[i]));
+  }
+  CHECK(number_of_searched_segments(of_mesh.cuts.pool()) < number_of_searched_segments(all.pool()));
+}
+
+// With a limit of what a cut must bring, the same sets come up until one does not, with less work; and what was not worth
+// it may still be asked for.
+void sets_end_where_cuts_bring_little(const Test_mesh& mesh, double least_gain)
+{
+  Cuts_of_mesh with_limit(mesh), without_limit(mesh);
+  std::size_t number = 1;
+  for (; with_limit.cuts.best(number + 1, least_gain); ++number)
+    CHECK(with_limit.cuts.best(number + 1)->value - with_limit.cuts.best(number)->value > least_gain);
+  CHECK(number > 1);
+  for (std::size_t k = 1; k <= number; ++k)
+    CHECK_EQUAL(with_limit.cuts.best(k)->value, without_limit.cuts.best(k)->value);
+  const std::size_t searched = number_of_searched_segments(with_limit.cuts.pool());
+  const Cut_set* next = without_limit.cuts.best(number + 1);
+  CHECK(!next || next->value - without_limit.cuts.best(number)->value <= least_gain);
+  CHECK(searched <= number_of_searched_segments(without_limit.cuts.pool()));
+  if (next)
+    CHECK_EQUAL(with_limit.cuts.best(number + 1)->value, next->value);
 }
 
 double cost_of_borders(const Weighted_dual_graph& graph, const std::vector<Index>& labels)
@@ -315,6 +398,11 @@ int main()
   check_values(star(5, 2, 0.25, 0.1, 0.4), 10);
   check_values(creature(0.25), 12);
   check_values(bumpy_sphere(3, 1), 8);
+  for (const Test_mesh& mesh : {star(5), creature(), bumpy_sphere(3, 1)})
+    few_segments_are_searched(mesh, 12);
+  for (const double least_gain : {0.01, 0.02, 0.05})
+    for (const Test_mesh& mesh : {star(5), creature()})
+      sets_end_where_cuts_bring_little(mesh, least_gain);
   for (const Test_mesh& mesh : {star(5), creature(), torus(), bumpy_sphere(3, 1), sheet(20, 30)})
     borders_on_faces_keep_the_segments_connected(mesh, 10);
   for (std::uint_fast32_t seed = 0; seed < 100; ++seed)

@@ -25,6 +25,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -71,7 +72,8 @@ public:
       m_execution(execution),
       m_policy(policy),
       m_graphs(surface, policy, execution),
-      m_search(surface, m_graphs.coarse, distance, policy, execution)
+      m_search(surface, m_graphs.coarse, distance, policy, execution),
+      m_pool(m_graphs.coarse.graph)
   {
     Nodes all(m_graphs.coarse.graph.number_of_nodes());
     std::iota(all.begin(), all.end(), Index(0));
@@ -88,12 +90,14 @@ public:
   const Segment_pool& pool() const { return m_pool; }
   std::size_t number_of_runs() const { return m_search.tip_orders().number_of_runs() + m_runs_of_copies; }
 
-  // The best set of cuts into `number_of_segments`; none if there are not as many.
-  const Cut_set* best(std::size_t number_of_segments)
+  // The best set of cuts into `number_of_segments`; none if there are not as many, or if one of the cuts would bring
+  // `least_gain` or less to the value of the best set.
+  const Cut_set* best(std::size_t number_of_segments, double least_gain = -infinity)
   {
-    while (m_best.size() < number_of_segments && !m_beam.empty())
-      advance();
-    return number_of_segments <= m_best.size() ? &m_best[number_of_segments - 1] : nullptr;
+    while (m_best.size() < number_of_segments)
+      if (!advance(least_gain))
+        return nullptr;
+    return &m_best[number_of_segments - 1];
   }
 
   // For tips of protrusions, in their order: cuts off the protrusion with the best border that has the tip, but none
@@ -115,6 +119,7 @@ public:
   }
 
 private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::size_t cuts_of_set = 4; // with 6 the Rand index error is no lower
 
   static bool contains(const Nodes& ascending, Index node)
@@ -128,74 +133,140 @@ private:
     return {segment, inner, outer, cut.value, cut.probability};
   }
 
-  // Makes the beam one of sets with one cut more.
-  void advance()
+  // A further cut of a set: the number of a cut of one of its segments, and the value of the set with it.
+  struct Choice
   {
-    search_segments();
-    std::vector<Cut_set> next;
-    for (const Cut_set& set : m_beam)
-      for (const auto& [segment, cut] : best_cuts(set))
-        next.push_back(set.with(made_cut(segment, m_pool[segment].cuts[cut])));
-    std::stable_sort(next.begin(), next.end(),
-                     [](const Cut_set& a, const Cut_set& b) { return a.value > b.value; });
-    m_beam.clear();
-    for (Cut_set& set : next)
+    const Cut_set* set;
+    Index segment;
+    std::size_t cut;
+    double value;
+  };
+
+  // Makes the beam one of sets with one cut more, if that adds more than `least_gain` to the value of the best one.
+  bool advance(double least_gain)
+  {
+    const double least = m_best.back().value + least_gain;
+    std::vector<Cut_set> next = best_next_sets();
+    for (auto segments = segments_to_search(next, least); !segments.empty(); segments = segments_to_search(next, least))
     {
-      const bool is_new = std::none_of(m_beam.begin(), m_beam.end(),
-                                       [&](const Cut_set& other) { return other.segments == set.segments; });
-      if (is_new && m_beam.size() < m_policy.number_of_sets())
-        m_beam.push_back(std::move(set));
+      search(segments);
+      next = best_next_sets();
     }
-    if (!m_beam.empty())
-      m_best.push_back(m_beam.front());
+    if (next.empty() || next.front().value <= least)
+      return false;
+    m_best.push_back(next.front());
+    m_beam = std::move(next);
+    return true;
   }
 
-  // Searches the cuts of all segments of the beam that have not been searched yet, in parallel if that is wanted. A
-  // distance of the user's is asked by one thread at a time, it may use several itself.
-  void search_segments()
+  // The best different sets of one cut more, as far as segments have been searched.
+  std::vector<Cut_set> best_next_sets()
   {
-    const std::vector<Index> segments = segments_to_search();
-    for_each_index(
-      segments.size(), m_execution.is_parallel() && !m_distance, m_search,
-      [&](Segment_search& search, std::size_t i)
-      {
-        m_execution.progress(static_cast<double>(i) / static_cast<double>(segments.size()));
-        Segment_pool::Segment& segment = m_pool[segments[i]];
-        segment.cuts = search.cuts(segments[i], segment.nodes);
-        segment.is_searched = true;
-      },
-      [&](const Segment_search& search)
-      {
-        if (&search != &m_search)
-          m_runs_of_copies += search.tip_orders().number_of_runs();
-      });
-  }
-
-  // The largest first: threads that get them last would be waited for.
-  std::vector<Index> segments_to_search() const
-  {
-    std::vector<Index> result;
+    std::vector<Choice> choices;
     for (const Cut_set& set : m_beam)
-      for (Index s : set.segments)
-        if (!m_pool[s].is_searched && std::find(result.begin(), result.end(), s) == result.end())
-          result.push_back(s);
-    std::stable_sort(result.begin(), result.end(),
-                     [this](Index a, Index b) { return m_pool[a].nodes.size() > m_pool[b].nodes.size(); });
-    return result;
+    {
+      const std::vector<Choice> of_set = best_choices(set);
+      choices.insert(choices.end(), of_set.begin(), of_set.end());
+    }
+    std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.value > b.value; });
+    std::vector<Cut_set> sets;
+    for (std::size_t i = 0; i < choices.size() && sets.size() < m_policy.number_of_sets(); ++i)
+    {
+      const Index segment = choices[i].segment;
+      Cut_set set = choices[i].set->with(made_cut(segment, m_pool[segment].cuts[choices[i].cut]));
+      if (std::none_of(sets.begin(), sets.end(), [&](const Cut_set& other) { return other.segments == set.segments; }))
+        sets.push_back(std::move(set));
+    }
+    return sets;
   }
 
-  // The best further cuts of a set: segments and numbers of their cuts.
-  std::vector<std::pair<Index, std::size_t>> best_cuts(const Cut_set& set) const
+  // The best further cuts of a set, as far as its segments have been searched. Equal ones are in an order that does not
+  // depend on which segments have come up before.
+  std::vector<Choice> best_choices(const Cut_set& set) const
   {
-    std::vector<std::pair<Index, std::size_t>> result;
+    std::vector<Choice> result;
     for (Index s : set.segments)
       for (std::size_t c = 0; c < (std::min)(m_pool[s].cuts.size(), cuts_of_set); ++c)
-        result.emplace_back(s, c);
-    std::stable_sort(result.begin(), result.end(),
-                     [this](const auto& a, const auto& b)
-                     { return m_pool[a.first].cuts[a.second].value > m_pool[b.first].cuts[b.second].value; });
+        result.push_back({&set, s, c, set.value + m_pool[s].cuts[c].value});
+    const auto rank = [this](const Choice& choice)
+    { return std::make_tuple(-choice.value, m_pool[choice.segment].nodes.front(), choice.cut); };
+    std::sort(result.begin(), result.end(), [&](const Choice& a, const Choice& b) { return rank(a) < rank(b); });
     result.resize((std::min)(result.size(), cuts_of_set));
     return result;
+  }
+
+  // Of the segments of the beam that have not been searched yet those whose cuts might change which sets of at least some
+  // value are the best next ones: the most promising one, or, for several threads, all. A cut is worth half the area of its
+  // segment at most, so that many small segments are never searched, with the same result as if all were.
+  std::vector<Index> segments_to_search(const std::vector<Cut_set>& next, double least) const
+  {
+    if (next.size() == m_policy.number_of_sets())
+      least = (std::max)(least, next.back().value);
+    std::vector<std::pair<double, Index>> promises;
+    for (const Cut_set& set : m_beam)
+    {
+      const std::vector<Choice> choices = best_choices(set);
+      const double least_of_set = choices.size() < cuts_of_set ? least : (std::max)(least, choices.back().value);
+      for (Index s : set.segments)
+      {
+        const double promise = set.value + m_pool[s].area / 2;
+        if (!m_pool[s].is_searched && promise >= least_of_set)
+          promises.emplace_back(-promise, s);
+      }
+    }
+    std::sort(promises.begin(), promises.end());
+    if (!m_execution.is_parallel() && !promises.empty())
+      promises.resize(1);
+    std::vector<Index> result;
+    for (const auto& [promise, s] : promises)
+      if (std::find(result.begin(), result.end(), s) == result.end())
+        result.push_back(s);
+    return result;
+  }
+
+  // Finds the cuts of some segments, in parallel if that is wanted. A distance of the user's is asked by one thread at a
+  // time, it may use several itself.
+  void search(const std::vector<Index>& segments)
+  {
+    struct Task
+    {
+      std::size_t i, candidate;
+    };
+    const auto nodes = [&](std::size_t i) -> const Nodes& { return m_pool[segments[i]].nodes; };
+    std::vector<std::vector<Cut_search::Candidate>> candidates(segments.size());
+    for_each_index(
+      segments.size(), m_execution.is_parallel() && !m_distance, m_search,
+      [&](Segment_search& search, std::size_t i) { candidates[i] = search.candidates(segments[i], nodes(i)); },
+      [this](const Segment_search& search) { count_runs(search); });
+
+    std::vector<Task> tasks; // segments are too few, and too different in size, to share the work by
+    std::vector<std::vector<std::optional<Cut>>> cuts(segments.size());
+    for (std::size_t i = 0; i < segments.size(); ++i)
+    {
+      cuts[i].resize(candidates[i].size());
+      for (std::size_t c = 0; c < candidates[i].size(); ++c)
+        tasks.push_back({i, c});
+    }
+    for_each_index(
+      tasks.size(), m_execution.is_parallel(), m_search,
+      [&](Segment_search& search, std::size_t t)
+      {
+        m_execution.progress(static_cast<double>(t) / static_cast<double>(tasks.size()));
+        const auto [i, c] = tasks[t];
+        cuts[i][c] = search.cut_around(segments[i], nodes(i), candidates[i][c]);
+      },
+      [](const Segment_search&) {});
+    for (std::size_t i = 0; i < segments.size(); ++i)
+    {
+      m_pool[segments[i]].cuts = Cut_search::best_first(std::move(cuts[i]));
+      m_pool[segments[i]].is_searched = true;
+    }
+  }
+
+  void count_runs(const Segment_search& search)
+  {
+    if (&search != &m_search)
+      m_runs_of_copies += search.tip_orders().number_of_runs();
   }
 
   // The nodes of the picked tips, and of further ones where there are few.
@@ -227,7 +298,7 @@ private:
              std::none_of(nodes.begin(), nodes.end(), [&](Index i) { return is_other_tip[i]; });
     };
     std::optional<Cut> best;
-    for (Cut& cut : m_search.cuts_around(tip, s, m_pool[s].nodes, has_this_tip_only))
+    for (Cut& cut : m_search.cuts_around_tip(tip, s, m_pool[s].nodes, has_this_tip_only))
     {
       if (!contains(cut.inner, tip))
         cut.inner = m_pool.other_side(s, cut.inner);

@@ -84,11 +84,14 @@ private:
   void number_leaves()
   {
     m_leaf_of_node.resize(m_cuts.graphs().coarse.graph.number_of_nodes());
-    for (Index leaf = 0; leaf < m_set.segments.size(); ++leaf)
+    const auto nodes = [this](Index segment) -> const Nodes& { return m_cuts.pool()[segment].nodes; };
+    std::vector<Index> segments = m_set.segments;
+    std::sort(segments.begin(), segments.end(), [&](Index a, Index b) { return nodes(a).front() < nodes(b).front(); });
+    for (Index leaf = 0; leaf < segments.size(); ++leaf)
     {
-      for (Index i : m_cuts.pool()[m_set.segments[leaf]].nodes)
+      for (Index i : nodes(segments[leaf]))
         m_leaf_of_node[i] = leaf;
-      m_leaves[m_set.segments[leaf]] = {leaf};
+      m_leaves[segments[leaf]] = {leaf};
     }
     for (auto cut = m_set.cuts.rbegin(); cut != m_set.cuts.rend(); ++cut)
     {

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,13 @@ public:
       m_number(partition.graph().number_of_nodes(), Indexed_surface::no_face())
   {}
 
+  // Nodes of a segment with a border worth looking for around them.
+  struct Candidate
+  {
+    Nodes nodes;
+    bool is_region; // else a level set
+  };
+
   // The cuts of a segment with the given nodes around level sets of the given orders of these nodes and around regions,
   // best first.
   std::vector<Cut> cuts(Index segment, const Nodes& nodes, const std::vector<Nodes>& orders)
@@ -60,34 +68,69 @@ public:
                         const std::vector<Nodes>& orders,
                         Accept accept)
   {
+    std::vector<std::optional<Cut>> result;
+    for (const Candidate& candidate : candidates(segment, nodes, orders, accept))
+      result.push_back(cut_around(segment, nodes, candidate));
+    return best_first(std::move(result));
+  }
+
+  // The best level sets and regions that differ from each other.
+  template <typename Accept>
+  std::vector<Candidate> candidates(Index segment, const Nodes& nodes, const std::vector<Nodes>& orders, Accept accept)
+  {
+    constexpr std::size_t level_sets_looked_at = 60; // most of the rest repeat the first ones
+    constexpr std::size_t regions_looked_at = 40;
+    const std::size_t number_of_regions = m_policy.number_of_regions();
+    CGAL_assertion(maximum_number_of_level_sets + number_of_regions <= maximum_number_of_candidates);
     const double segment_area = m_partition.area(nodes);
-    const Kept_sets sets = different_sets(segment, nodes, orders, segment_area, accept);
-    std::vector<Cut> cuts;
-    for (std::size_t i = 0; i < sets.sets.size(); ++i)
-    {
-      m_execution.check();
-      Cut cut = refined(segment, nodes, sets.sets[i], segment_area);
-      // around a tip there is always something to be cut off, if it is asked for; a region is a guess
-      const bool is_wrong_guess = i >= sets.number_of_level_sets && cut.value < 0;
-      if (std::isfinite(cut.value) && !is_wrong_guess)
-        cuts.push_back(std::move(cut));
-    }
-    std::stable_sort(cuts.begin(), cuts.end(),
-                     [](const Cut& a, const Cut& b) { return a.value > b.value; });
-    return without_repetitions(std::move(cuts));
+    const std::vector<Level_set> sets = level_sets(orders, segment_area);
+    for (Index i : nodes)
+      m_kept[i] = 0;
+    Kept_candidates kept;
+    keep_different(
+      sets.size(), [&](std::size_t i) -> Candidate
+      { return {nodes_of(segment, orders[sets[i].order], sets[i]), false}; },
+      accept, segment_area, {level_sets_looked_at, maximum_number_of_level_sets}, kept);
+    const Merged_regions merged = m_merger(m_partition, segment, nodes, segment_area, m_rank);
+    keep_different(
+      merged.regions.size(), [&](std::size_t i) -> Candidate { return {nodes_of(merged, merged.regions[i]), true}; },
+      accept, segment_area, {regions_looked_at, number_of_regions}, kept);
+    return std::move(kept.candidates);
+  }
+
+  // The cut around a candidate or the minimum cut near it. Around a tip there is always something to be cut off, if it is
+  // asked for; a region is a guess, and there is no cut if it is a wrong one.
+  std::optional<Cut> cut_around(Index segment, const Nodes& nodes, const Candidate& candidate)
+  {
+    m_execution.check();
+    Cut cut = refined(segment, nodes, candidate.nodes, m_partition.area(nodes));
+    if (!std::isfinite(cut.value) || (candidate.is_region && cut.value < 0))
+      return std::nullopt;
+    return cut;
+  }
+
+  // Minimum cuts near different candidates may be the same. Then they would keep the beam from what is different.
+  static std::vector<Cut> best_first(std::vector<std::optional<Cut>> cuts)
+  {
+    std::stable_sort(cuts.begin(), cuts.end(), [](const std::optional<Cut>& a, const std::optional<Cut>& b)
+                     { return a && (!b || a->value > b->value); });
+    std::vector<Cut> result;
+    for (std::optional<Cut>& cut : cuts)
+      if (cut && std::none_of(result.begin(), result.end(), [&](const Cut& other) { return other.inner == cut->inner; }))
+        result.push_back(std::move(*cut));
+    return result;
   }
 
 private:
   // Level sets of a segment that are looked at more closely.
   static constexpr std::size_t maximum_number_of_level_sets = 10;
   // What is looked at more closely is a bit each in `m_kept`.
-  static constexpr std::size_t maximum_number_of_sets = 32;
+  static constexpr std::size_t maximum_number_of_candidates = 32;
 
-  struct Kept_sets
+  struct Kept_candidates
   {
-    std::vector<Nodes> sets;
+    std::vector<Candidate> candidates;
     std::vector<double> areas;
-    std::size_t number_of_level_sets = 0; // the first ones; the others are regions
   };
 
   // the cheapest first
@@ -104,72 +147,35 @@ private:
     return result;
   }
 
-  // The best level sets and regions that differ from each other.
-  template <typename Accept>
-  Kept_sets different_sets(Index segment,
-                           const Nodes& nodes,
-                           const std::vector<Nodes>& orders,
-                           double segment_area,
-                           Accept accept)
-  {
-    constexpr std::size_t level_sets_looked_at = 60; // most of the rest repeat the first ones
-    constexpr std::size_t regions_looked_at = 40;
-    const std::size_t number_of_regions = m_policy.number_of_regions();
-    CGAL_assertion(maximum_number_of_level_sets + number_of_regions <= maximum_number_of_sets);
-    const std::vector<Level_set> sets = level_sets(orders, segment_area);
-    for (Index i : nodes)
-      m_kept[i] = 0;
-    Kept_sets kept;
-    keep_different(
-      sets.size(), [&](std::size_t i) { return nodes_of(segment, orders[sets[i].order], sets[i]); }, accept,
-      segment_area, {level_sets_looked_at, maximum_number_of_level_sets}, kept);
-    kept.number_of_level_sets = kept.sets.size();
-    const Merged_regions merged = m_merger(m_partition, segment, nodes, segment_area, m_rank);
-    keep_different(
-      merged.regions.size(), [&](std::size_t i) { return nodes_of(merged, merged.regions[i]); }, accept, segment_area,
-      {regions_looked_at, number_of_regions}, kept);
-    return kept;
-  }
-
   struct Limits
   {
     std::size_t looked_at, kept;
   };
 
-  // Adds those of a number of sets, `nodes_of_set(i)`, that are accepted and repeat no other one.
-  template <typename NodesOfSet, typename Accept>
-  void keep_different(std::size_t number_of_sets,
-                      NodesOfSet nodes_of_set,
+  // Adds those of a number of candidates, `candidate_of(i)`, that are accepted and repeat no other one.
+  template <typename CandidateOf, typename Accept>
+  void keep_different(std::size_t number,
+                      CandidateOf candidate_of,
                       Accept accept,
                       double segment_area,
                       Limits left,
-                      Kept_sets& kept)
+                      Kept_candidates& kept)
   {
-    for (std::size_t i = 0; i < number_of_sets && left.looked_at > 0 && left.kept > 0; ++i)
+    for (std::size_t i = 0; i < number && left.looked_at > 0 && left.kept > 0; ++i)
     {
-      Nodes nodes = nodes_of_set(i);
-      if (!accept(nodes))
+      Candidate candidate = candidate_of(i);
+      if (!accept(candidate.nodes))
         continue;
       --left.looked_at;
-      const double area = m_partition.area(nodes);
-      if (is_repetition(nodes, area, segment_area, kept.areas))
+      const double area = m_partition.area(candidate.nodes);
+      if (is_repetition(candidate.nodes, area, segment_area, kept.areas))
         continue;
       --left.kept;
-      for (Index node : nodes)
-        m_kept[node] |= 1u << kept.sets.size();
-      kept.sets.push_back(std::move(nodes));
+      for (Index node : candidate.nodes)
+        m_kept[node] |= 1u << kept.areas.size();
+      kept.candidates.push_back(std::move(candidate));
       kept.areas.push_back(area);
     }
-  }
-
-  // Minimum cuts near different sets may be the same. Then they would keep the beam from what is different.
-  static std::vector<Cut> without_repetitions(std::vector<Cut> cuts)
-  {
-    std::vector<Cut> result;
-    for (Cut& cut : cuts)
-      if (std::none_of(result.begin(), result.end(), [&](const Cut& other) { return other.inner == cut.inner; }))
-        result.push_back(std::move(cut));
-    return result;
   }
 
   static Nodes nodes_of(const Merged_regions& merged, const Region& region)
@@ -196,7 +202,7 @@ private:
                      const std::vector<double>& kept_areas) const
   {
     constexpr double largest_overlap = 0.8;
-    std::array<double, maximum_number_of_sets> common{};
+    std::array<double, maximum_number_of_candidates> common{};
     for (Index node : nodes)
       for (std::size_t k = 0; k < kept_areas.size(); ++k)
         if (m_kept[node] & (1u << k))
@@ -255,7 +261,7 @@ private:
   Level_set_sweep m_sweep;
   Region_merger m_merger;
   std::vector<Index> m_rank;
-  std::vector<std::uint32_t> m_kept; // which of the kept sets hold a node, a bit each
+  std::vector<std::uint32_t> m_kept; // which of the candidates hold a node, a bit each
   std::vector<Index> m_number;
 };
 

@@ -128,7 +128,7 @@ private:
       [&](std::size_t number)
       {
         const Next_segment progress(m_execution, number, std::nullopt);
-        return m_cuts[c]->best(number + 1) ? std::optional<double>(gain(c, number)) : std::nullopt;
+        return m_cuts[c]->best(number + 1, least_evident_value) ? std::optional<double>(gain(c, number)) : std::nullopt;
       });
   }
 

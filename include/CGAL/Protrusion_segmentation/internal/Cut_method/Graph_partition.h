@@ -77,13 +77,7 @@ public:
     return result;
   }
 
-  double area(const Nodes& nodes) const
-  {
-    double sum = 0;
-    for (Index i : nodes)
-      sum += m_graph.area[i];
-    return sum;
-  }
+  double area(const Nodes& nodes) const { return m_graph.area_of(nodes); }
 
   // Calls `visit(arc, inner node, outer node)` for all arcs from the marked nodes `inner` to the rest of their
   // segment.

@@ -31,9 +31,13 @@ public:
   struct Segment
   {
     Nodes nodes;           // ascending
+    double area;
     std::vector<Cut> cuts; // best first
     bool is_searched = false;
   };
+
+  // The graph must outlive the object.
+  explicit Segment_pool(const Weighted_dual_graph& graph) : m_graph(graph) {}
 
   Index number_of_segments() const { return static_cast<Index>(m_segments.size()); }
   Segment& operator[](Index id) { return m_segments[id]; }
@@ -47,6 +51,7 @@ public:
     {
       m_segments.emplace_back();
       m_segments.back().nodes = found->first;
+      m_segments.back().area = m_graph.area_of(found->first);
     }
     return found->second;
   }
@@ -68,6 +73,7 @@ public:
   }
 
 private:
+  const Weighted_dual_graph& m_graph;
   std::deque<Segment> m_segments; // where they are, while others are added
   std::map<Nodes, Index> m_ids;
 };

@@ -56,40 +56,51 @@ public:
   Tip_orders& tip_orders() { return m_tip_orders; }
   const Tip_orders& tip_orders() const { return m_tip_orders; }
 
-  // The cuts of segment `s` with the given nodes, best first.
-  std::vector<Cut> cuts(Index s, const Nodes& nodes)
+  // What might be cut off from segment `s` with the given nodes.
+  std::vector<Cut_search::Candidate> candidates(Index s, const Nodes& nodes)
   {
-    return cuts(s, nodes, orders(s, nodes), [](const Nodes&) { return true; });
+    const std::vector<Nodes> by_distance = orders(s, nodes);
+    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
+    m_execution.check();
+    return m_search.candidates(s, nodes, by_distance, [](const Nodes&) { return true; });
   }
 
-  // The same around those level sets and regions for which `accept(nodes)` holds, level sets around `tip` among them.
-  template <typename Accept>
-  std::vector<Cut> cuts_around(Index tip, Index s, const Nodes& nodes, Accept accept)
+  // The cut around one of them, if there is any.
+  std::optional<Cut> cut_around(Index s, const Nodes& nodes, const Cut_search::Candidate& candidate)
   {
-    std::vector<Nodes> all_orders = orders(s, nodes);
-    all_orders.push_back(m_tip_orders.from_tip(s, tip).nodes);
-    return cuts(s, nodes, all_orders, accept);
+    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
+    select(s, nodes);
+    return m_search.cut_around(s, nodes, candidate);
+  }
+
+  // The cuts around those level sets and regions for which `accept(nodes)` holds, level sets around `tip` among them, best
+  // first.
+  template <typename Accept>
+  std::vector<Cut> cuts_around_tip(Index tip, Index s, const Nodes& nodes, Accept accept)
+  {
+    std::vector<Nodes> by_distance = orders(s, nodes);
+    by_distance.push_back(m_tip_orders.from_tip(s, tip).nodes);
+    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
+    return m_search.cuts(s, nodes, by_distance, accept);
   }
 
 private:
-  // The nodes by their distances from the tips. From here on the partition is about this segment.
+  // From here on the partition is about this segment.
+  void select(Index s, const Nodes& nodes)
+  {
+    for (Index i : nodes)
+      m_partition.set_segment(i, s);
+  }
+
+  // The nodes by their distances from the tips.
   std::vector<Nodes> orders(Index s, const Nodes& nodes)
   {
     const Stage_scope stage(m_execution.observer(), Stage::TIPS);
     m_execution.check();
-    for (Index i : nodes)
-      m_partition.set_segment(i, s);
+    select(s, nodes);
     if (!m_distance)
       return m_tip_orders.from_all_tips(s, nodes);
     return distance_orders(m_surface, nodes, m_coarse.node, *m_distance, m_execution);
-  }
-
-  template <typename Accept>
-  std::vector<Cut> cuts(Index s, const Nodes& nodes, const std::vector<Nodes>& orders, Accept accept)
-  {
-    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
-    m_execution.check();
-    return m_search.cuts(s, nodes, orders, accept);
   }
 
   const Indexed_surface& m_surface;

@@ -53,6 +53,13 @@ struct Weighted_dual_graph
   {
     return boost::irange(first_arc[node], first_arc[node + 1]);
   }
+  double area_of(const std::vector<Index>& nodes) const
+  {
+    double sum = 0;
+    for (Index i : nodes)
+      sum += area[i];
+    return sum;
+  }
   // the arc between two neighbouring nodes
   Index arc_between(Index from, Index to) const
   {
