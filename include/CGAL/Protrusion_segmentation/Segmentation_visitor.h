@@ -72,7 +72,8 @@ public:
   /// \return `false` to stop: the function that the visitor was passed to then writes nothing and returns 0
   virtual bool go_further() { return true; }
   /// is called when the work on a segment ends.
-  /// \param number_of_runs from how many more faces distances were computed
+  /// \param number_of_runs from how many more faces distances were computed; the default method may need more of them with
+  ///        several threads than with one
   virtual void on_distances([[maybe_unused]] std::size_t number_of_runs) {}
   /// @}
 
