@@ -54,19 +54,18 @@ public:
     bool is_region; // else a level set
   };
 
-  // The cuts of a segment with the given nodes around level sets of the given orders of these nodes and around regions,
-  // best first.
-  std::vector<Cut> cuts(Index segment, const Nodes& nodes, const std::vector<Nodes>& orders)
+  struct Accept_all
   {
-    return cuts(segment, nodes, orders, [](const Nodes&) { return true; });
-  }
+    bool operator()(const Nodes&) const { return true; }
+  };
 
-  // The same around those of them for which `accept(nodes)` holds.
-  template <typename Accept>
+  // The cuts of a segment with the given nodes around those level sets of the given orders of these nodes and those regions
+  // for which `accept(nodes)` holds, best first.
+  template <typename Accept = Accept_all>
   std::vector<Cut> cuts(Index segment,
                         const Nodes& nodes,
                         const std::vector<Nodes>& orders,
-                        Accept accept)
+                        Accept accept = Accept())
   {
     std::vector<std::optional<Cut>> result;
     for (const Candidate& candidate : candidates(segment, nodes, orders, accept))
@@ -74,9 +73,12 @@ public:
     return best_first(std::move(result));
   }
 
-  // The best level sets and regions that differ from each other.
-  template <typename Accept>
-  std::vector<Candidate> candidates(Index segment, const Nodes& nodes, const std::vector<Nodes>& orders, Accept accept)
+  // The best level sets and regions that are accepted and differ from each other.
+  template <typename Accept = Accept_all>
+  std::vector<Candidate> candidates(Index segment,
+                                    const Nodes& nodes,
+                                    const std::vector<Nodes>& orders,
+                                    Accept accept = Accept())
   {
     constexpr std::size_t level_sets_looked_at = 60; // most of the rest repeat the first ones
     constexpr std::size_t regions_looked_at = 40;

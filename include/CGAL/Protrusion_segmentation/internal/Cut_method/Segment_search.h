@@ -62,7 +62,7 @@ public:
     const std::vector<Nodes> by_distance = orders(s, nodes);
     const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
     m_execution.check();
-    return m_search.candidates(s, nodes, by_distance, [](const Nodes&) { return true; });
+    return m_search.candidates(s, nodes, by_distance);
   }
 
   // The cut around one of them, if there is any.
