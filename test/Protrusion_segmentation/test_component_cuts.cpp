@@ -25,9 +25,8 @@ constexpr double rounding = 1e-12;
 
 struct Cuts_of_mesh
 {
-  explicit Cuts_of_mesh(const Test_mesh& mesh)
-    : surface(to_surface(mesh)),
-      cuts(surface, distance, quiet_execution(), internal::default_cut_policy())
+  explicit Cuts_of_mesh(const Test_mesh& mesh, const internal::Cut_policy& policy = internal::default_cut_policy())
+    : surface(to_surface(mesh)), cuts(surface, distance, quiet_execution(), policy)
   {}
 
   Indexed_surface surface;
@@ -333,6 +332,40 @@ void sets_end_where_cuts_bring_little(const Test_mesh& mesh, double least_gain)
     CHECK_EQUAL(with_limit.cuts.best(number + 1)->value, next->value);
 }
 
+struct Adjustable_policy : internal::Cut_policy
+{
+  double log_odds(const internal::Cut_clues& clues) const override { return factor * Cut_policy::log_odds(clues); }
+
+  double factor = 1; // above 0, so that no cut becomes a good one
+};
+
+// What has been found by other weights, valued anew, gives the sets that are found from scratch; and the first ones again.
+void cuts_are_valued_anew(const Test_mesh& mesh, std::size_t largest_number)
+{
+  Adjustable_policy adjustable;
+  Cuts_of_mesh cuts(mesh, adjustable);
+  bool differs = false;
+  for (const double factor : {1., 0.2, 3., 1.})
+  {
+    adjustable.factor = factor;
+    cuts.cuts.value_anew();
+    Adjustable_policy other;
+    other.factor = factor;
+    Cuts_of_mesh from_scratch(mesh, other), by_default(mesh);
+    for (std::size_t k = 1; k <= largest_number; ++k)
+    {
+      const Cut_set *found = cuts.cuts.best(k), *expected = from_scratch.cuts.best(k);
+      CHECK_EQUAL(found != nullptr, expected != nullptr);
+      if (!found || !expected)
+        break;
+      CHECK_EQUAL(found->value, expected->value);
+      CHECK(nodes_of_segments(cuts.cuts.pool(), *found) == nodes_of_segments(from_scratch.cuts.pool(), *expected));
+      differs = differs || found->value != by_default.cuts.best(k)->value;
+    }
+  }
+  CHECK(differs);
+}
+
 double cost_of_borders(const Weighted_dual_graph& graph, const std::vector<Index>& labels)
 {
   double cost = 0;
@@ -403,6 +436,8 @@ int main()
   for (const double least_gain : {0.01, 0.02, 0.05})
     for (const Test_mesh& mesh : {star(5), creature()})
       sets_end_where_cuts_bring_little(mesh, least_gain);
+  for (const Test_mesh& mesh : {star(5), creature(), bumpy_sphere(3, 1)})
+    cuts_are_valued_anew(mesh, 10);
   for (const Test_mesh& mesh : {star(5), creature(), torus(), bumpy_sphere(3, 1), sheet(20, 30)})
     borders_on_faces_keep_the_segments_connected(mesh, 10);
   for (std::uint_fast32_t seed = 0; seed < 100; ++seed)

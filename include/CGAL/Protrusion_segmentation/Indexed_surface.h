@@ -10,6 +10,10 @@
 
 #include <CGAL/Simple_cartesian.h>
 
+// Before the graph, which would hide the `get()` of property maps from it, also in programs of users.
+#include <boost/property_map/property_map.hpp>
+#include <boost/pending/disjoint_sets.hpp>
+
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/range/iterator_range.hpp>
 

@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_set.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
@@ -116,6 +117,21 @@ public:
         result = result.with(made_cut(segment, *cut));
     }
     return result;
+  }
+
+  // Begins again, by a policy that has become another one in how it weighs clues. What has been searched keeps its cuts;
+  // regions around which there was none by the former weights stay left out.
+  void value_anew()
+  {
+    for (Index s = 0; s < m_pool.number_of_segments(); ++s)
+    {
+      std::vector<Cut>& cuts = m_pool[s].cuts;
+      for (Cut& cut : cuts)
+        value_by_clues(m_policy, cut);
+      std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.value > b.value; });
+    }
+    m_best.resize(1);
+    m_beam = m_best;
   }
 
 private:

@@ -21,14 +21,24 @@ namespace internal {
 struct Cut
 {
   Graph_partition::Nodes inner; // the side of smaller area
-  double value = 0;             // higher is better, below 0 it separates what belongs together
-  double probability = 0;       // that people put the sides into different segments
+  double root_of_areas = 0;     // of the product of the areas of both sides
+  Cut_clues clues = {};
+  double value = 0;       // higher is better, below 0 it separates what belongs together
+  double probability = 0; // that people put the sides into different segments
 };
 
-// Values a cut: how much better a segmentation becomes by it. That is about the number of pairs of points on different sides,
-// times what speaks for it: an estimate of the probability that they belong apart less the one that they belong together.
-// The root keeps the largest segments from being cut for their size alone. Minus infinity if a side is too small to be a
-// segment. `nodes` are those of the segment, `cut.inner` is marked.
+// Values a cut by its clues: how much better a segmentation becomes by it. That is about the number of pairs of points on
+// different sides, times what speaks for it: an estimate of the probability that they belong apart less the one that they
+// belong together. The root keeps the largest segments from being cut for their size alone.
+inline void value_by_clues(const Cut_policy& policy, Cut& cut)
+{
+  const double log_odds = policy.log_odds(cut.clues);
+  cut.probability = probability_of_border(log_odds);
+  cut.value = (2 * logistic(log_odds) - 1) * cut.root_of_areas;
+}
+
+// Measures and values a cut; its value is minus infinity if a side is too small to be a segment. `nodes` are those of the
+// segment, `cut.inner` is marked.
 inline void value_cut(Graph_partition& partition,
                       Weighted_dual_graph::Index segment,
                       const Graph_partition::Nodes& nodes,
@@ -40,9 +50,9 @@ inline void value_cut(Graph_partition& partition,
   cut.value = -(std::numeric_limits<double>::infinity)();
   if (!is_large_enough(area, segment_area))
     return;
-  const double log_odds = policy.log_odds(Clues_of_cut(partition, segment, nodes, cut.inner, segment_area)());
-  cut.probability = probability_of_border(log_odds);
-  cut.value = (2 * logistic(log_odds) - 1) * std::sqrt(area * (segment_area - area));
+  cut.root_of_areas = std::sqrt(area * (segment_area - area));
+  cut.clues = Clues_of_cut(partition, segment, nodes, cut.inner, segment_area)();
+  value_by_clues(policy, cut);
 }
 
 } // namespace internal

@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_POLICY_H
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_clues.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_weights.h>
 
 #include <algorithm>
 #include <cmath>
@@ -65,37 +66,8 @@ public:
   // Whether a border becomes a minimum cut once more when it gets to the faces.
   virtual bool moves_borders_on_faces() const { return true; }
 
-  // How much speaks for a cut, as the logarithm of odds: a weighted sum of the clues. Good are short, round cuts in
-  // concave seams, dear beside them, behind which one side widens suddenly; large segments are divided rather than small
-  // ones, and one loop is better than several. The weights come from a fit over the candidate cuts, rounded.
-  virtual double log_odds(const Cut_clues& clues) const
-  {
-    constexpr double bias = -1.45;
-    constexpr double concave_share_weight = 6;
-    constexpr double relative_length_weight = -3.2;
-    // Of a cut that leaves six times as much tube as it is wide on its shorter side. If shorter cuts spoke the more for
-    // themselves, a smooth tube would be cut anywhere. Between -.2 and -.6 the Rand index error on the development models
-    // of the Princeton benchmark is the same.
-    constexpr double least_relative_length = -0.3;
-    constexpr double segment_size_weight = 1;
-    constexpr double larger_widening_weight = 2.4;
-    constexpr double smaller_widening_weight = -0.2;
-    constexpr double roundness_weight = -0.6;
-    constexpr double neighbors_weight = -1;
-    constexpr double contrast_weight = 0.4;
-    constexpr double mean_cost_weight = -0.8;
-    constexpr double thickness_weight = 0.3;
-    constexpr double inner_concavity_weight = -0.04;
-    constexpr double several_loops_weight = -1.5;
-    return bias + concave_share_weight * clues.concave_share +
-           relative_length_weight * (std::max)(least_relative_length, clues.relative_length) +
-           segment_size_weight * clues.segment_size + larger_widening_weight * clues.larger_widening +
-           smaller_widening_weight * clues.smaller_widening + roundness_weight * clues.roundness +
-           neighbors_weight * clues.neighbors + contrast_weight * clues.contrast +
-           mean_cost_weight * clues.mean_cost + thickness_weight * clues.thickness +
-           inner_concavity_weight * clues.inner_concavity +
-           several_loops_weight * clues.several_loops;
-  }
+  // How much speaks for a cut, as the logarithm of odds.
+  virtual double log_odds(const Cut_clues& clues) const { return Cut_weights()(clues); }
 };
 
 inline double logistic(double log_odds)

@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What the program that fits weights takes as the error of a model, beside the segmentation itself, pair of faces by pair.
+
+#include "check.h"
+#include "Candidate_pool.h"
+#include "test_meshes.h"
+
+#include <CGAL/protrusion_segmentation.h>
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <vector>
+
+namespace {
+
+namespace PS = CGAL::Protrusion_segmentation;
+
+struct Policy : PS::internal::Cut_policy
+{
+  double log_odds(const PS::internal::Cut_clues& clues) const override { return weights(clues); }
+  bool moves_borders_on_faces() const override { return false; }
+
+  PS::internal::Cut_weights weights;
+};
+
+struct Method
+{
+  const Policy& policy;
+
+  PS::internal::Nested_segments segment(const PS::Indexed_surface& surface,
+                                        std::optional<std::size_t> number_of_segments,
+                                        PS::Execution& execution) const
+  {
+    const std::optional<PS::internal::Any_distance> no_distance;
+    return PS::internal::Cut_segmentation(surface, no_distance, execution, policy)
+      .with_number_of_segments(*number_of_segments);
+  }
+};
+
+double share_of_pairs_divided_otherwise(const Labels& a, const Labels& b)
+{
+  std::size_t number = 0;
+  for (std::size_t f = 0; f < a.size(); ++f)
+    for (std::size_t g = 0; g < f; ++g)
+      number += (a[f] == a[g]) != (b[f] == b[g]);
+  return 2 * double(number) / (double(a.size()) * double(a.size() - 1));
+}
+
+double expected_error(const Model& model, const Policy& policy)
+{
+  Labels labels(model.mesh.number_of_faces());
+  CGAL::segmentation_via_protrusion_tips(model.mesh, CGAL::make_property_map(labels), model.number_of_segments,
+                                         Method{policy});
+  double sum = 0;
+  for (const Labels& human : model.humans)
+    sum += share_of_pairs_divided_otherwise(labels, human);
+  return sum / double(model.humans.size());
+}
+
+// People see the true parts, one segment, or every part in four.
+Model star_model(std::size_t arms, std::size_t number_of_segments)
+{
+  const test_meshes::Test_mesh star = test_meshes::star(arms);
+  Model model;
+  model.class_name = "Star";
+  model.number_of_segments = number_of_segments;
+  model.mesh = test_meshes::to_graph<Mesh>(star);
+  Labels quarters;
+  for (std::size_t f = 0; f < star.faces.size(); ++f)
+    quarters.push_back(4 * star.parts[f] + f % 4);
+  model.humans = {star.parts, Labels(star.faces.size(), 7), quarters};
+  return model;
+}
+
+// With the default weights, also after others have been tried.
+void test_error(std::size_t arms, std::size_t number_of_segments)
+{
+  const Model model = star_model(arms, number_of_segments);
+  Policy policy;
+  Candidate_pool pool(model, policy);
+  CHECK_CLOSE(pool.rand_index_error(), expected_error(model, policy), 1e-12);
+  policy.weights.segment_size = -2;
+  pool.rand_index_error();
+  policy.weights = PS::internal::Cut_weights();
+  CHECK_CLOSE(pool.rand_index_error(), expected_error(model, policy), 1e-12);
+}
+
+// Long cuts away from seams are no arms of a star.
+void test_other_weights()
+{
+  const Model model = star_model(5, 6);
+  Policy policy;
+  const double error = expected_error(model, policy);
+  policy.weights.concave_share = -6;
+  policy.weights.relative_length = 6;
+  policy.weights.larger_widening = -2;
+  CHECK(expected_error(model, policy) > error);
+  CHECK_CLOSE(Candidate_pool(model, policy).rand_index_error(), expected_error(model, policy), 1e-12);
+}
+
+void test_components()
+{
+  Model model = star_model(3, 4);
+  const Mesh other = model.mesh;
+  model.number = 17;
+  model.mesh += other;
+  for (Labels& human : model.humans)
+    human.resize(model.mesh.number_of_faces(), 1);
+  const Policy policy;
+  CHECK_THROWS_WITH(Candidate_pool(model, policy), std::invalid_argument, "model 17 is not connected");
+}
+
+} // namespace
+
+int main()
+{
+  test_error(5, 6);
+  test_error(5, 3);
+  test_error(3, 40);
+  test_other_weights();
+  test_components();
+  return check::result();
+}
