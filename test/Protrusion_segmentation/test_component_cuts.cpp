@@ -91,6 +91,19 @@ void check_history(const Component_cuts& cuts, const Cut_set& set)
   CHECK(std::vector<Index>(segments.begin(), segments.end()) == set.segments);
 }
 
+// Whatever numbers the segments have: those that are left, in the order in which cuts have made them.
+void check_order(const Cut_set& set)
+{
+  std::vector<Index> made = {0};
+  for (const Cut_set::Made_cut& cut : set.cuts)
+  {
+    made.erase(std::find(made.begin(), made.end(), cut.segment));
+    made.push_back(cut.inner);
+    made.push_back(cut.outer);
+  }
+  CHECK(set.in_order_of_cuts() == made);
+}
+
 void check_sets(const Test_mesh& mesh, std::size_t largest_number)
 {
   Cuts_of_mesh of_mesh(mesh);
@@ -102,6 +115,7 @@ void check_sets(const Test_mesh& mesh, std::size_t largest_number)
     CHECK_EQUAL(set.segments.size(), number);
     CHECK_EQUAL(set.cuts.size(), number - 1);
     check_history(cuts, set);
+    check_order(set);
     check_segments(cuts.graphs().coarse.graph, labels_of_nodes(cuts, set), number);
   }
   for (std::size_t k = number; k-- > 1;) // asked for again, in another order

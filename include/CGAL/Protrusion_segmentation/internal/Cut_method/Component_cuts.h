@@ -26,7 +26,6 @@
 #include <limits>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -196,17 +195,14 @@ private:
     return sets;
   }
 
-  // The best further cuts of a set, as far as its segments have been searched. Equal ones are in an order that does not
-  // depend on which segments have come up before.
+  // The best further cuts of a set, as far as its segments have been searched. Equal ones are in the order of its segments.
   std::vector<Choice> best_choices(const Cut_set& set) const
   {
     std::vector<Choice> result;
-    for (Index s : set.segments)
+    for (Index s : set.in_order_of_cuts())
       for (std::size_t c = 0; c < (std::min)(m_pool[s].cuts.size(), cuts_of_set); ++c)
         result.push_back({&set, s, c, set.value + m_pool[s].cuts[c].value});
-    const auto rank = [this](const Choice& choice)
-    { return std::make_tuple(-choice.value, m_pool[choice.segment].nodes.front(), choice.cut); };
-    std::sort(result.begin(), result.end(), [&](const Choice& a, const Choice& b) { return rank(a) < rank(b); });
+    std::stable_sort(result.begin(), result.end(), [](const Choice& a, const Choice& b) { return a.value > b.value; });
     result.resize((std::min)(result.size(), cuts_of_set));
     return result;
   }

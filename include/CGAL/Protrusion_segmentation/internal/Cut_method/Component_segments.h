@@ -84,12 +84,10 @@ private:
   void number_leaves()
   {
     m_leaf_of_node.resize(m_cuts.graphs().coarse.graph.number_of_nodes());
-    const auto nodes = [this](Index segment) -> const Nodes& { return m_cuts.pool()[segment].nodes; };
-    std::vector<Index> segments = m_set.segments;
-    std::sort(segments.begin(), segments.end(), [&](Index a, Index b) { return nodes(a).front() < nodes(b).front(); });
+    const std::vector<Index> segments = m_set.in_order_of_cuts();
     for (Index leaf = 0; leaf < segments.size(); ++leaf)
     {
-      for (Index i : nodes(segments[leaf]))
+      for (Index i : m_cuts.pool()[segments[leaf]].nodes)
         m_leaf_of_node[i] = leaf;
       m_leaves[segments[leaf]] = {leaf};
     }

@@ -32,6 +32,20 @@ struct Cut_set
   std::vector<Made_cut> cuts;  // in the order in which they were made
   double value = 0;            // sum of those of the cuts
 
+  // The segments as cuts have made them, the smaller side of a cut first. That order comes from the shape alone, whichever
+  // way its faces and nodes are numbered and whatever has been searched beside this set.
+  std::vector<Index> in_order_of_cuts() const
+  {
+    if (cuts.empty())
+      return segments;
+    std::vector<Index> result;
+    for (const Made_cut& cut : cuts)
+      for (Index side : {cut.inner, cut.outer})
+        if (std::binary_search(segments.begin(), segments.end(), side))
+          result.push_back(side);
+    return result;
+  }
+
   Cut_set with(const Made_cut& cut) const
   {
     Cut_set result = *this;
