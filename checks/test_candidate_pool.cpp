@@ -8,6 +8,7 @@
 #include "Candidate_pool.h"
 #include "test_meshes.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_segmentation.h>
 #include <CGAL/protrusion_segmentation.h>
 
 #include <cstddef>

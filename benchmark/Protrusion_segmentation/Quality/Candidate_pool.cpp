@@ -4,6 +4,11 @@
 
 #include "Candidate_pool.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/leave_out_specks.h>
+#include <CGAL/protrusion_segmentation.h>
+
 #include <algorithm>
 #include <map>
 #include <numeric>

@@ -10,7 +10,12 @@
 
 #include "Benchmark_folder.h"
 
-#include <CGAL/protrusion_segmentation.h>
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Component_cuts.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 
 #include <cstddef>
 #include <optional>
