@@ -31,8 +31,8 @@ struct Cut
 // times a power of the product of both shares. The power keeps the largest segments from being cut for their size alone.
 //
 // On the development models of the Princeton benchmark, in the mean over three orders of the disks, the Rand index error is
-// .0860 and the Hamming distance .0889; with a power of 1/2 they are .0869 and .0905. Over two of the orders they are .0860 and
-// .0887, with a power of .3 .0876 and .0894.
+// .0861 and the Hamming distance .0890; with a power of 1/2 they are .0869 and .0905. Over two of the orders they are .0860 and
+// .0888, with a power of .3 .0876 and .0894.
 inline double separation(double area, double segment_area)
 {
   constexpr double power = 0.4;
