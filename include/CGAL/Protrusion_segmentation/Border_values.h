@@ -22,9 +22,8 @@ How sure the borders of a segmentation are: which to check by hand first.
 Every protrusion has a border to its parent, with a value. Two segments are kept apart by all borders on the way from
 one to the other over parents. As sure as the least of them is the border between the two, whether they touch or not.
 
-Values depend on the method. For `Minimum_cut_method` they lie between -.58 and .58: \f$(2q-1)^{3/2} S \, (AB/S^2)^{2/5}\f$
-with what speaks for the cut, \f$q\f$ from 0 to 1, the shares \f$A\f$ and \f$B\f$ that its sides have of the component's area,
-and their sum \f$S\f$; where \f$q\f$ is below 1/2, it is minus the same of \f$1-q\f$. For
+Values depend on the method. For `Minimum_cut_method` they lie between -1/2 and 1/2: \f$(2q-1)\sqrt{AB}\f$ with what
+speaks for the cut, \f$q\f$ from 0 to 1, and the shares \f$A\f$ and \f$B\f$ that its sides have of the component's area. For
 `Histogram_method` they are prominences, above 0.
 
 Probabilities, which `Minimum_cut_method` has, are what they say: of the borders with a probability of .7, people make seven

@@ -208,8 +208,8 @@ private:
   }
 
   // Of the segments of the beam that have not been searched yet those whose cuts might change which sets of at least some
-  // value are the best next ones: the most promising one, or, for several threads, all. No cut is worth more than
-  // one into halves can be, so that many small segments are never searched, with the same result as if all were.
+  // value are the best next ones: the most promising one, or, for several threads, all. A cut is worth half the area of its
+  // segment at most, so that many small segments are never searched, with the same result as if all were.
   std::vector<Index> segments_to_search(const std::vector<Cut_set>& next, double least) const
   {
     if (next.size() == m_policy.number_of_sets())
@@ -221,7 +221,7 @@ private:
       const double least_of_set = choices.size() < cuts_of_set ? least : (std::max)(least, choices.back().value);
       for (Index s : set.segments)
       {
-        const double promise = set.value + m_pool[s].area * separation(0.5, 1);
+        const double promise = set.value + m_pool[s].area / 2;
         if (!m_pool[s].is_searched && promise >= least_of_set)
           promises.emplace_back(-promise, s);
       }
