@@ -220,7 +220,7 @@ public:
       beam.clear();
       for (const Cut_set& set : next)
         if (beam.size() < 3 && std::none_of(beam.begin(), beam.end(), [&](const Cut_set& other)
-                                            { return other.segments == set.segments; }))
+                                            { return m_pool.are_same(other.segments, set.segments); }))
           beam.push_back(set);
       if (!beam.empty())
         result.push_back(beam.front());
@@ -249,9 +249,10 @@ private:
   {
     std::vector<Cut_set> result;
     for (const Index s : set.segments)
-      for (const internal::Cut& cut : cuts_of(s))
+      for (std::size_t c = 0; c < cuts_of(s).size(); ++c)
       {
-        const auto [inner, outer] = m_pool.sides(s, cut.inner);
+        const internal::Cut& cut = cuts_of(s)[c];
+        const auto [inner, outer] = m_pool.sides(s, c);
         result.push_back(set.with({s, inner, outer, cut.value, cut.probability}));
       }
     return result;
@@ -260,13 +261,32 @@ private:
   const std::vector<internal::Cut>& cuts_of(Index s)
   {
     if (!m_pool[s].is_searched)
-    {
-      for (const Index i : m_pool[s].nodes)
-        m_partition.set_segment(i, s);
-      m_pool[s].cuts = m_search.cuts(s, m_pool[s].nodes, m_tip_orders.from_all_tips(s, m_pool[s].nodes));
-      m_pool[s].is_searched = true;
-    }
+      m_pool.set_cuts(s, m_pool[s].source == s ? searched(s) : taken_over(s));
     return m_pool[s].cuts;
+  }
+
+  void select(Index s)
+  {
+    for (const Index i : m_pool[s].nodes)
+      m_partition.set_segment(i, s);
+  }
+
+  std::vector<internal::Cut> searched(Index s)
+  {
+    select(s);
+    return m_search.cuts(s, m_pool[s].nodes, m_tip_orders.from_all_tips(s, m_pool[s].nodes));
+  }
+
+  // those of its source, if there are any
+  std::vector<internal::Cut> taken_over(Index s)
+  {
+    cuts_of(m_pool[s].source);
+    select(s);
+    std::vector<std::optional<internal::Cut>> cuts;
+    for (const Nodes& side : m_pool.sides_to_take_over(s))
+      cuts.push_back(m_search.cut_without_search(s, m_pool[s].nodes, side));
+    const std::vector<internal::Cut> result = internal::Cut_search::different(cuts);
+    return result.empty() ? searched(s) : result;
   }
 
   Graph_partition m_partition;

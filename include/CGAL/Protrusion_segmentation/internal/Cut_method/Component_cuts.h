@@ -11,14 +11,13 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_set.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Pool_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Segment_pool.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_coarse_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/straighten_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 #include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
 
 #include <algorithm>
@@ -68,12 +67,11 @@ public:
                  Execution& execution,
                  const Cut_policy& policy)
     : m_surface(surface),
-      m_distance(distance),
       m_execution(execution),
       m_policy(policy),
       m_graphs(surface, policy, execution),
-      m_search(surface, m_graphs.coarse, distance, policy, execution),
-      m_pool(m_graphs.coarse.graph)
+      m_pool(m_graphs.coarse.graph),
+      m_pool_search(m_pool, surface, m_graphs.coarse, distance, policy, execution)
   {
     Nodes all(m_graphs.coarse.graph.number_of_nodes());
     std::iota(all.begin(), all.end(), Index(0));
@@ -88,7 +86,7 @@ public:
   const Indexed_surface& surface() const { return m_surface; }
   const Cut_graphs& graphs() const { return m_graphs; }
   const Segment_pool& pool() const { return m_pool; }
-  std::size_t number_of_runs() const { return m_search.tip_orders().number_of_runs() + m_runs_of_copies; }
+  std::size_t number_of_runs() const { return m_pool_search.number_of_runs(); }
 
   // The best set of cuts into `number_of_segments`; none if there are not as many, or if one of the cuts would bring
   // `least_gain` or less to the value of the best set.
@@ -113,7 +111,10 @@ public:
       const Index segment = *std::find_if(result.segments.begin(), result.segments.end(), [&](Index s)
                                           { return contains(m_pool[s].nodes, tip); });
       if (const std::optional<Cut> cut = cut_of_tip(segment, tip, tips))
-        result = result.with(made_cut(segment, *cut));
+      {
+        const Index inner = m_pool.find_or_add(cut->inner), outer = m_pool.find_or_add(m_pool.other_side(segment, cut->inner));
+        result = result.with({segment, inner, outer, cut->value, cut->probability});
+      }
     }
     return result;
   }
@@ -124,10 +125,12 @@ public:
   {
     for (Index s = 0; s < m_pool.number_of_segments(); ++s)
     {
-      std::vector<Cut>& cuts = m_pool[s].cuts;
+      if (!m_pool[s].is_searched)
+        continue;
+      std::vector<Cut> cuts = m_pool[s].cuts;
       for (Cut& cut : cuts)
         value_by_clues(m_policy, cut);
-      std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.value > b.value; });
+      m_pool.set_cuts(s, std::move(cuts));
     }
     m_best.resize(1);
     m_beam = m_best;
@@ -142,9 +145,10 @@ private:
     return std::binary_search(ascending.begin(), ascending.end(), node);
   }
 
-  Cut_set::Made_cut made_cut(Index segment, const Cut& cut)
+  Cut_set::Made_cut made_cut(Index segment, std::size_t number)
   {
-    const auto [inner, outer] = m_pool.sides(segment, cut.inner);
+    const auto [inner, outer] = m_pool.sides(segment, number);
+    const Cut& cut = m_pool[segment].cuts[number];
     return {segment, inner, outer, cut.value, cut.probability};
   }
 
@@ -164,7 +168,7 @@ private:
     std::vector<Cut_set> next = best_next_sets();
     for (auto segments = segments_to_search(next, least); !segments.empty(); segments = segments_to_search(next, least))
     {
-      search(segments);
+      m_pool_search(segments);
       next = best_next_sets();
     }
     if (next.empty() || next.front().value <= least)
@@ -188,8 +192,8 @@ private:
     for (std::size_t i = 0; i < choices.size() && sets.size() < m_policy.number_of_sets(); ++i)
     {
       const Index segment = choices[i].segment;
-      Cut_set set = choices[i].set->with(made_cut(segment, m_pool[segment].cuts[choices[i].cut]));
-      if (std::none_of(sets.begin(), sets.end(), [&](const Cut_set& other) { return other.segments == set.segments; }))
+      Cut_set set = choices[i].set->with(made_cut(segment, choices[i].cut));
+      if (std::none_of(sets.begin(), sets.end(), [&](const Cut_set& other) { return m_pool.are_same(other.segments, set.segments); }))
         sets.push_back(std::move(set));
     }
     return sets;
@@ -231,54 +235,13 @@ private:
       promises.resize(1);
     std::vector<Index> result;
     for (const auto& [promise, s] : promises)
-      if (std::find(result.begin(), result.end(), s) == result.end())
-        result.push_back(s);
+    {
+      const Index source = m_pool[s].source;
+      const Index next = m_pool[source].is_searched ? s : source; // what it takes over its cuts from comes first
+      if (std::find(result.begin(), result.end(), next) == result.end())
+        result.push_back(next);
+    }
     return result;
-  }
-
-  // Finds the cuts of some segments, in parallel if that is wanted. A distance of the user's is asked by one thread at a
-  // time, it may use several itself.
-  void search(const std::vector<Index>& segments)
-  {
-    struct Task
-    {
-      std::size_t i, candidate;
-    };
-    const auto nodes = [&](std::size_t i) -> const Nodes& { return m_pool[segments[i]].nodes; };
-    std::vector<std::vector<Cut_search::Candidate>> candidates(segments.size());
-    for_each_index(
-      segments.size(), m_execution.is_parallel() && !m_distance, m_search,
-      [&](Segment_search& search, std::size_t i) { candidates[i] = search.candidates(segments[i], nodes(i)); },
-      [this](const Segment_search& search) { count_runs(search); });
-
-    std::vector<Task> tasks; // segments are too few, and too different in size, to share the work by
-    std::vector<std::vector<std::optional<Cut>>> cuts(segments.size());
-    for (std::size_t i = 0; i < segments.size(); ++i)
-    {
-      cuts[i].resize(candidates[i].size());
-      for (std::size_t c = 0; c < candidates[i].size(); ++c)
-        tasks.push_back({i, c});
-    }
-    for_each_index(
-      tasks.size(), m_execution.is_parallel(), m_search,
-      [&](Segment_search& search, std::size_t t)
-      {
-        m_execution.progress(static_cast<double>(t) / static_cast<double>(tasks.size()));
-        const auto [i, c] = tasks[t];
-        cuts[i][c] = search.cut_around(segments[i], nodes(i), candidates[i][c]);
-      },
-      [](const Segment_search&) {});
-    for (std::size_t i = 0; i < segments.size(); ++i)
-    {
-      m_pool[segments[i]].cuts = Cut_search::best_first(std::move(cuts[i]));
-      m_pool[segments[i]].is_searched = true;
-    }
-  }
-
-  void count_runs(const Segment_search& search)
-  {
-    if (&search != &m_search)
-      m_runs_of_copies += search.tip_orders().number_of_runs();
   }
 
   // The nodes of the picked tips, and of further ones where there are few.
@@ -292,7 +255,7 @@ private:
       const auto farthest = std::max_element(to_nearest_tip.begin(), to_nearest_tip.end());
       tips.push_back(tips.size() < faces.size() ? m_graphs.coarse.node[faces[tips.size()]]
                                                 : static_cast<Index>(farthest - to_nearest_tip.begin()));
-      const Nodes_by_distance from_tip = m_search.tip_orders().from_tip(m_best.front().segments.front(), tips.back());
+      const Nodes_by_distance from_tip = m_pool_search.of_segment().tip_orders().from_tip(m_best.front().segments.front(), tips.back());
       for (std::size_t i = 0; i < from_tip.nodes.size(); ++i)
         to_nearest_tip[from_tip.nodes[i]] = (std::min)(to_nearest_tip[from_tip.nodes[i]], from_tip.distances[i]);
     }
@@ -306,11 +269,11 @@ private:
       is_other_tip[other] = other != tip; // two tips in one node are one
     const auto has_this_tip_only = [&](const Nodes& nodes)
     {
-      return 2 * m_search.partition().area(nodes) <= 1 && std::find(nodes.begin(), nodes.end(), tip) != nodes.end() &&
+      return 2 * m_pool_search.of_segment().partition().area(nodes) <= 1 && std::find(nodes.begin(), nodes.end(), tip) != nodes.end() &&
              std::none_of(nodes.begin(), nodes.end(), [&](Index i) { return is_other_tip[i]; });
     };
     std::optional<Cut> best;
-    for (Cut& cut : m_search.cuts_around_tip(tip, s, m_pool[s].nodes, has_this_tip_only))
+    for (Cut& cut : m_pool_search.of_segment().cuts_around_tip(tip, s, m_pool[s].nodes, has_this_tip_only))
     {
       if (!contains(cut.inner, tip))
         cut.inner = m_pool.other_side(s, cut.inner);
@@ -321,13 +284,11 @@ private:
   }
 
   const Indexed_surface& m_surface;
-  const std::optional<Any_distance>& m_distance;
   Execution& m_execution;
   const Cut_policy& m_policy;
   Cut_graphs m_graphs;
-  Segment_search m_search;
-  std::size_t m_runs_of_copies = 0; // that other threads have had of the search
   Segment_pool m_pool;
+  Pool_search m_pool_search;
   std::vector<Cut_set> m_beam; // of equally many cuts, the best first
   std::vector<Cut_set> m_best; // for every number of segments from 1 on
 };

@@ -10,8 +10,10 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/level_set_cuts.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
@@ -35,6 +37,12 @@ inline void value_by_clues(const Cut_policy& policy, Cut& cut)
   const double log_odds = policy.log_odds(cut.clues);
   cut.probability = probability_of_border(log_odds);
   cut.value = (2 * logistic(log_odds) - 1) * cut.root_of_areas;
+}
+
+// Equal ones stay in their order.
+inline void sort_best_first(std::vector<Cut>& cuts)
+{
+  std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.value > b.value; });
 }
 
 // Measures and values a cut; its value is minus infinity if a side is too small to be a segment. `nodes` are those of the

@@ -70,7 +70,9 @@ public:
     std::vector<std::optional<Cut>> result;
     for (const Candidate& candidate : candidates(segment, nodes, orders, accept))
       result.push_back(cut_around(segment, nodes, candidate));
-    return best_first(std::move(result));
+    std::vector<Cut> cuts = different(std::move(result));
+    sort_best_first(cuts);
+    return cuts;
   }
 
   // The best level sets and regions that are accepted and differ from each other.
@@ -105,17 +107,27 @@ public:
   std::optional<Cut> cut_around(Index segment, const Nodes& nodes, const Candidate& candidate)
   {
     m_execution.check();
-    Cut cut = refined(segment, nodes, candidate.nodes, m_partition.area(nodes));
-    if (!std::isfinite(cut.value) || (candidate.is_region && cut.value < 0))
+    std::optional<Cut> cut = refined(segment, nodes, candidate.nodes, m_partition.area(nodes));
+    if (cut && candidate.is_region && cut->value < 0)
       return std::nullopt;
     return cut;
   }
 
-  // Minimum cuts near different candidates may be the same. Then they would keep the beam from what is different.
-  static std::vector<Cut> best_first(std::vector<std::optional<Cut>> cuts)
+  // The cut around some nodes as it is, but for what it takes to have connected sides; none if one of these would be too
+  // small.
+  std::optional<Cut> cut_without_search(Index segment, const Nodes& nodes, const Nodes& side)
   {
-    std::stable_sort(cuts.begin(), cuts.end(), [](const std::optional<Cut>& a, const std::optional<Cut>& b)
-                     { return a && (!b || a->value > b->value); });
+    m_execution.check();
+    const double segment_area = m_partition.area(nodes);
+    m_partition.mark(nodes, side);
+    Cut cut;
+    cut.inner = m_partition.connect_sides(nodes, segment, smaller_side(nodes, side, segment_area));
+    return valued(segment, nodes, segment_area, std::move(cut));
+  }
+
+  // Minimum cuts near different candidates may be the same. Then they would keep the beam from what is different.
+  static std::vector<Cut> different(std::vector<std::optional<Cut>> cuts)
+  {
     std::vector<Cut> result;
     for (std::optional<Cut>& cut : cuts)
       if (cut && std::none_of(result.begin(), result.end(), [&](const Cut& other) { return other.inner == cut->inner; }))
@@ -229,8 +241,8 @@ private:
     return m_partition.marked(nodes);
   }
 
-  // The cut around a set of nodes or the minimum cut near it, both sides connected.
-  Cut refined(Index segment, const Nodes& nodes, const Nodes& set, double segment_area)
+  // The cut around a set of nodes or the minimum cut near it, both sides connected; none if one of these is too small.
+  std::optional<Cut> refined(Index segment, const Nodes& nodes, const Nodes& set, double segment_area)
   {
     constexpr Band band = {0.35, 1.4, 0.7};
     m_partition.mark(nodes, set);
@@ -243,8 +255,16 @@ private:
       cut.inner = std::move(minimum);
     else
       m_partition.mark(nodes, cut.inner);
+    return valued(segment, nodes, segment_area, std::move(cut));
+  }
+
+  // `cut.inner` is marked; either side may be the smaller one.
+  std::optional<Cut> valued(Index segment, const Nodes& nodes, double segment_area, Cut cut)
+  {
     cut.inner = smaller_side(nodes, std::move(cut.inner), segment_area);
     value_cut(m_partition, segment, nodes, segment_area, m_policy, cut);
+    if (!std::isfinite(cut.value))
+      return std::nullopt;
     return cut;
   }
 

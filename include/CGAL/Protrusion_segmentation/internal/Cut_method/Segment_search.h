@@ -73,6 +73,17 @@ public:
     return m_search.cut_around(s, nodes, candidate);
   }
 
+  // The cuts around some sets of its nodes as they are.
+  std::vector<Cut> cuts_without_search(Index s, const Nodes& nodes, const std::vector<Nodes>& sides)
+  {
+    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
+    select(s, nodes);
+    std::vector<std::optional<Cut>> cuts;
+    for (const Nodes& side : sides)
+      cuts.push_back(m_search.cut_without_search(s, nodes, side));
+    return Cut_search::different(std::move(cuts));
+  }
+
   // The cuts around those level sets and regions for which `accept(nodes)` holds, level sets around `tip` among them, best
   // first.
   template <typename Accept>
