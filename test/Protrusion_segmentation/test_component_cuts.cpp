@@ -321,6 +321,18 @@ std::set<Nodes> nodes_of_segments(const internal::Segment_pool& pool, const Cut_
   return result;
 }
 
+// What takes over its cuts needs no tips.
+void check_number_of_runs(const Component_cuts& cuts)
+{
+  constexpr std::size_t runs_of_segment = 13; // one for the first of twelve tips, and one from each of these
+  std::size_t searched_on_their_own = 0, others = 0;
+  for (Index s = 0; s < cuts.pool().number_of_segments(); ++s)
+    if (cuts.pool()[s].is_searched)
+      ++(cuts.pool()[s].source == s ? searched_on_their_own : others);
+  CHECK(others > 0);
+  CHECK(cuts.number_of_runs() <= runs_of_segment * searched_on_their_own);
+}
+
 std::size_t number_of_searched_segments(const internal::Segment_pool& pool)
 {
   std::size_t number = 0;
@@ -345,6 +357,7 @@ void few_segments_are_searched(const Test_mesh& mesh, std::size_t number_of_cuts
     CHECK(nodes_of_segments(of_mesh.cuts.pool(), *found) == nodes_of_segments(all.pool(), expected[i]));
   }
   CHECK(number_of_searched_segments(of_mesh.cuts.pool()) < number_of_searched_segments(all.pool()));
+  check_number_of_runs(of_mesh.cuts);
 }
 
 // With a limit of what a cut must bring, the same sets come up until one does not, with less work; and what was not worth
