@@ -112,7 +112,8 @@ public:
                                           { return contains(m_pool[s].nodes, tip); });
       if (const std::optional<Cut> cut = cut_of_tip(segment, tip, tips))
       {
-        const Index inner = m_pool.find_or_add(cut->inner), outer = m_pool.find_or_add(m_pool.other_side(segment, cut->inner));
+        const Index inner = m_pool.find_or_add(cut->inner);
+        const Index outer = m_pool.find_or_add(m_pool.other_side(segment, cut->inner));
         result = result.with({segment, inner, outer, cut->value, cut->probability});
       }
     }
@@ -193,7 +194,8 @@ private:
     {
       const Index segment = choices[i].segment;
       Cut_set set = choices[i].set->with(made_cut(segment, choices[i].cut));
-      if (std::none_of(sets.begin(), sets.end(), [&](const Cut_set& other) { return m_pool.are_same(other.segments, set.segments); }))
+      const auto is_same = [&](const Cut_set& other) { return m_pool.are_same(other.segments, set.segments); };
+      if (std::none_of(sets.begin(), sets.end(), is_same))
         sets.push_back(std::move(set));
     }
     return sets;
