@@ -111,7 +111,7 @@ private:
   // The share of its source's area that a segment has at least. On the development models of the Princeton benchmark, in
   // the mean over three orders of the disks, the Rand index error is .087 and .090 (with and without a number of segments)
   // with .9 and .087 and .091 if all segments are searched on their own, in two thirds of the time; with .85 it is higher
-  // by .001, with .8 by .003.
+  // by .001, with .8 by .002.
   static constexpr double least_share_of_source = 0.9;
 
   // Of the areas of two sides, their intersection over their union. With .7 or .9 the errors are the same.
