@@ -6,13 +6,13 @@
 
 #include "check.h"
 #include "indexed_surfaces.h"
+#include "node_sets.h"
 #include "test_meshes.h"
 #include "weighted_dual_graphs.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/merged_regions.h>
 
 #include <array>
-#include <numeric>
 #include <set>
 
 using namespace test_meshes;
@@ -22,7 +22,6 @@ using internal::Merged_regions;
 using internal::Region;
 using internal::Weighted_dual_graph;
 using Nodes = Graph_partition::Nodes;
-using Node_set = std::set<Index>;
 
 Merged_regions regions_of(const Weighted_dual_graph& graph, Graph_partition& partition, Index segment)
 {
@@ -43,11 +42,6 @@ Node_set nodes_of(const Merged_regions& merged, const Region& region)
 {
   const auto first = merged.order.begin() + region.first;
   return Node_set(first, first + region.number_of_nodes);
-}
-
-double area_of(const Weighted_dual_graph& graph, const Node_set& nodes)
-{
-  return std::accumulate(nodes.begin(), nodes.end(), 0., [&](double sum, Index i) { return sum + graph.area[i]; });
 }
 
 // what lies between two sets of nodes, or around one in its segment

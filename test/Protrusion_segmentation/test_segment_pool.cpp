@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "indexed_surfaces.h"
+#include "node_sets.h"
 #include "test_meshes.h"
 #include "weighted_dual_graphs.h"
 
@@ -19,7 +20,6 @@ using namespace CGAL::Protrusion_segmentation;
 using internal::Segment_pool;
 using internal::Weighted_dual_graph;
 using Nodes = Segment_pool::Nodes;
-using Node_set = std::set<Index>;
 
 Node_set set_of(const Nodes& nodes)
 {
@@ -33,11 +33,6 @@ Node_set common(const Node_set& a, const Node_set& b)
     if (b.count(i) > 0)
       result.insert(i);
   return result;
-}
-
-double area_of(const Weighted_dual_graph& graph, const Node_set& nodes)
-{
-  return std::accumulate(nodes.begin(), nodes.end(), 0., [&](double sum, Index i) { return sum + graph.area[i]; });
 }
 
 double overlap(const Weighted_dual_graph& graph, const Node_set& a, const Node_set& b)

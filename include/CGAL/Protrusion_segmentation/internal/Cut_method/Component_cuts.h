@@ -13,6 +13,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Pool_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Segment_pool.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_coarse_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
@@ -141,6 +142,9 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   static constexpr std::size_t cuts_of_set = 4; // with 6 the Rand index error is no lower
 
+  // of one segment
+  Segment_search& search() { return m_pool_search.of_segment(); }
+
   static bool contains(const Nodes& ascending, Index node)
   {
     return std::binary_search(ascending.begin(), ascending.end(), node);
@@ -257,7 +261,7 @@ private:
       const auto farthest = std::max_element(to_nearest_tip.begin(), to_nearest_tip.end());
       tips.push_back(tips.size() < faces.size() ? m_graphs.coarse.node[faces[tips.size()]]
                                                 : static_cast<Index>(farthest - to_nearest_tip.begin()));
-      const Nodes_by_distance from_tip = m_pool_search.of_segment().tip_orders().from_tip(m_best.front().segments.front(), tips.back());
+      const Nodes_by_distance from_tip = search().tip_orders().from_tip(m_best.front().segments.front(), tips.back());
       for (std::size_t i = 0; i < from_tip.nodes.size(); ++i)
         to_nearest_tip[from_tip.nodes[i]] = (std::min)(to_nearest_tip[from_tip.nodes[i]], from_tip.distances[i]);
     }
@@ -271,11 +275,11 @@ private:
       is_other_tip[other] = other != tip; // two tips in one node are one
     const auto has_this_tip_only = [&](const Nodes& nodes)
     {
-      return 2 * m_pool_search.of_segment().partition().area(nodes) <= 1 && std::find(nodes.begin(), nodes.end(), tip) != nodes.end() &&
+      return 2 * search().partition().area(nodes) <= 1 && std::find(nodes.begin(), nodes.end(), tip) != nodes.end() &&
              std::none_of(nodes.begin(), nodes.end(), [&](Index i) { return is_other_tip[i]; });
     };
     std::optional<Cut> best;
-    for (Cut& cut : m_pool_search.of_segment().cuts_around_tip(tip, s, m_pool[s].nodes, has_this_tip_only))
+    for (Cut& cut : search().cuts_around_tip(tip, s, m_pool[s].nodes, has_this_tip_only))
     {
       if (!contains(cut.inner, tip))
         cut.inner = m_pool.other_side(s, cut.inner);

@@ -48,23 +48,21 @@ public:
   // any that divide them.
   void operator()(const std::vector<Index>& segments)
   {
-    std::vector<std::vector<Cut>> taken_over(segments.size());
+    std::vector<Index> to_search, others;
+    for (Index s : segments)
+      (m_pool[s].source == s ? to_search : others).push_back(s);
+    std::vector<std::vector<Cut>> taken_over(others.size());
     for_each_index(
-      segments.size(), m_execution.is_parallel(), m_search,
+      others.size(), m_execution.is_parallel(), m_search,
       [&](Segment_search& search, std::size_t i)
-      {
-        if (m_pool[segments[i]].source != segments[i])
-          taken_over[i] =
-            search.cuts_without_search(segments[i], nodes(segments[i]), m_pool.sides_to_take_over(segments[i]));
-      },
+      { taken_over[i] = search.cuts_without_search(others[i], nodes(others[i]), m_pool.sides_to_take_over(others[i])); },
       [](const Segment_search&) {});
-    std::vector<Index> left;
-    for (std::size_t i = 0; i < segments.size(); ++i)
+    for (std::size_t i = 0; i < others.size(); ++i)
       if (taken_over[i].empty())
-        left.push_back(segments[i]);
+        to_search.push_back(others[i]);
       else
-        m_pool.set_cuts(segments[i], std::move(taken_over[i]));
-    search(left);
+        m_pool.set_cuts(others[i], std::move(taken_over[i]));
+    search(to_search);
   }
 
 private:

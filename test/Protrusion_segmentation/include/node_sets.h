@@ -1,0 +1,28 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Nodes of a graph as sets, for comparisons with brute force.
+
+#ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_NODE_SETS_H
+#define CGAL_TEST_PROTRUSION_SEGMENTATION_NODE_SETS_H
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
+
+#include <set>
+
+namespace test_meshes {
+
+using Node_set = std::set<CGAL::Protrusion_segmentation::internal::Weighted_dual_graph::Index>;
+
+inline double area_of(const CGAL::Protrusion_segmentation::internal::Weighted_dual_graph& graph, const Node_set& nodes)
+{
+  double area = 0;
+  for (const auto i : nodes)
+    area += graph.area[i];
+  return area;
+}
+
+} // namespace test_meshes
+
+#endif // CGAL_TEST_PROTRUSION_SEGMENTATION_NODE_SETS_H
