@@ -117,6 +117,8 @@ void a_straight_bar(int length, int width, int height)
   const double strip = 0.4 * std::sqrt(half_area);
   CHECK_CLOSE(clues.larger_widening, std::log((strip + 0.5) / strip), precision);
   CHECK_CLOSE(clues.smaller_widening, clues.larger_widening, precision);
+  CHECK_CLOSE(clues.larger_shoulder, 0, precision);
+  CHECK_CLOSE(clues.smaller_shoulder, 0, precision);
   CHECK_CLOSE(clues.mean_cost, std::log(1 + 0.02), precision_of_costs);
   CHECK_CLOSE(clues.contrast, std::log(1 + 0.1), precision_of_costs);
 }
@@ -135,6 +137,8 @@ void sides_may_be_exchanged()
   CHECK_CLOSE(clues.contrast, exchanged.contrast, precision);
   CHECK_CLOSE(clues.larger_widening, exchanged.larger_widening, precision);
   CHECK_CLOSE(clues.smaller_widening, exchanged.smaller_widening, precision);
+  CHECK_CLOSE(clues.larger_shoulder, exchanged.larger_shoulder, precision);
+  CHECK_CLOSE(clues.smaller_shoulder, exchanged.smaller_shoulder, precision);
 }
 
 void round_openings_are_rounder_than_flat_ones()
@@ -204,13 +208,97 @@ void a_dumbbell()
   CHECK_CLOSE(neck.larger_widening, std::log(zone / (2 * pi * bar * strip)), spacing / strip);
   CHECK_CLOSE(neck.smaller_widening, 0, spacing / strip);
   CHECK_CLOSE(middle.larger_widening, middle.smaller_widening, precision);
+  // of the zone on the sphere, what it shows along the axis: a ring between the two circles
+  const double growth = pi * (std::pow(std::sin(from + strip), 2) - std::pow(bar, 2));
+  CHECK_CLOSE(neck.larger_shoulder, growth / zone, spacing / strip);
+  CHECK_CLOSE(neck.smaller_shoulder, 0, precision);
+}
+
+// A rod of `width` * `width` * `length` cubes on a plate that is wider than a strip around it.
+Test_mesh rod_on_plate(int width, int length)
+{
+  const int margin = 3 * width;
+  std::set<std::array<int, 3>> cubes;
+  for (int x = -margin; x < width + margin; ++x)
+    for (int y = -margin; y < width + margin; ++y)
+      cubes.insert({x, y, -1});
+  for (int x = 0; x < width; ++x)
+    for (int y = 0; y < width; ++y)
+      for (int z = 0; z < length; ++z)
+        cubes.insert({x, y, z});
+  return voxels(cubes);
+}
+
+// The plate is seen from the tip as it is, the walls of the rod not at all.
+void a_rod_on_a_plate()
+{
+  const Cut_mesh rod(rod_on_plate(3, 12));
+  const auto above = [](double z) { return [z](const Point& p) { return p[2] > z + 0.1; }; }; // not the plate itself
+  const Cut_clues foot = rod.clues(above(0)), middle = rod.clues(above(6));
+  CHECK_CLOSE(foot.larger_shoulder, 1, precision);
+  CHECK_CLOSE(foot.smaller_shoulder, 0, precision);
+  CHECK_CLOSE(middle.smaller_shoulder, 0, precision);
+  // A ring of twelve squares is left of the walls, and of the end eight squares and a share of the one in the middle, which
+  // is a step over the edge and another one away.
+  const double strip = 0.4 * std::sqrt(12. + 9), centre = strip - (std::sqrt(0.5) + 1) + 0.5;
+  CHECK_CLOSE(rod.clues(above(11)).smaller_shoulder, -(8 + centre) / (12 + 8 + centre), precision);
+}
+
+// What sticks out of a trunk across its axis makes it wider, but is no shoulder of a cut through the trunk.
+void a_bump_is_no_shoulder()
+{
+  std::set<std::array<int, 3>> cubes;
+  for (int x = 0; x < 24; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 3; ++z)
+        cubes.insert({x, y, z});
+  cubes.insert({11, 1, 3});
+  const Cut_clues with_bump = Cut_mesh(voxels(cubes)).clues(below(0, 10)), clues = Cut_mesh(box(24, 3, 3)).clues(below(0, 10));
+  CHECK(with_bump.larger_widening > clues.larger_widening + 0.05);
+  CHECK_CLOSE(with_bump.larger_shoulder, 0, precision);
+  CHECK_CLOSE(with_bump.smaller_shoulder, 0, precision);
+}
+
+// A trough is cut from border to border: its opening is that of the cut, wherever the trough lies.
+void a_trough_may_lie_anywhere()
+{
+  constexpr std::size_t rows = 12;
+  const Test_mesh trough = transformed(sheet(30, rows), [](const Point& p)
+                                       { return Point{p[0], 4 * std::cos(pi * p[1] / rows), 4 * std::sin(pi * p[1] / rows)}; });
+  const Cut_clues clues = Cut_mesh(trough).clues(below(0, 12));
+  CHECK_CLOSE(clues.larger_shoulder, 0, precision);
+  CHECK_CLOSE(clues.smaller_shoulder, 0, precision);
+  // a cone over the arc from its centre: half a disk without the triangle between this and the ends
+  const double chord = 8 * std::sin(pi / (2 * rows)), half_disk = rows * 4 * 4 * std::sin(pi / rows) / 2;
+  const double height = 4 / (rows * std::tan(pi / (2 * rows)));
+  CHECK_CLOSE(clues.roundness, roundness(half_disk - 4 * height, rows * chord), precision);
+  const Cut_clues moved = Cut_mesh(translated(trough, {5, -30, 2})).clues(below(0, 17));
+  CHECK_CLOSE(moved.roundness, clues.roundness, precision);
+  CHECK_CLOSE(moved.thickness, clues.thickness, precision);
+  CHECK_CLOSE(moved.larger_shoulder, 0, precision);
+}
+
+// A sheet as narrow as its cut, and one that sticks out of a wide one.
+void a_flat_sheet()
+{
+  const Test_mesh wide = sheet(40, 41);
+  Test_mesh with_arm = wide;
+  with_arm.faces.clear();
+  with_arm.parts.clear();
+  for (const Face& face : wide.faces)
+    if (centroid(wide, face)[0] > 12 || std::abs(centroid(wide, face)[1] - 20.5) < 2)
+      with_arm.add_face(face);
+  const Cut_clues foot = Cut_mesh(with_arm).clues(below(0, 12)), middle = Cut_mesh(sheet(40, 4)).clues(below(0, 20));
+  CHECK(foot.larger_shoulder > 0.5 && foot.larger_shoulder <= 1);
+  CHECK(std::abs(middle.larger_shoulder) < 0.1 && std::abs(middle.smaller_shoulder) < 0.1);
 }
 
 std::vector<double> values(const Cut_clues& c)
 {
   return {c.concave_share,    c.relative_length, c.segment_size,    c.larger_widening,
           c.smaller_widening, c.roundness,       c.neighbors,       c.contrast,
-          c.mean_cost,        c.thickness,       c.inner_concavity, c.several_loops};
+          c.mean_cost,        c.thickness,       c.inner_concavity, c.several_loops,
+          c.larger_shoulder,  c.smaller_shoulder};
 }
 
 std::vector<double> values_of_first_arm(const Test_mesh& mesh)
@@ -243,6 +331,10 @@ int main()
   a_ring_is_cut_in_two_places();
   a_cut_ring_is_a_tube();
   a_dumbbell();
+  a_rod_on_a_plate();
+  a_bump_is_no_shoulder();
+  a_trough_may_lie_anywhere();
+  a_flat_sheet();
   scale_position_and_orientation_do_not_matter();
   return check::result();
 }

@@ -71,7 +71,7 @@ struct Without_clues : Cut_policy
 
   double log_odds(const Cut_clues& clues) const override
   {
-    constexpr Cut_clues mean = {0.58, 0.69, -1.50, 0.13, -0.25, -0.25, 0.32, 1.22, -0.93, -0.68, 3.97, 0.09};
+    constexpr Cut_clues mean = {0.58, 0.69, -1.50, 0.13, -0.25, 0.18, -0.26, -0.25, 0.32, 1.22, -0.93, -0.68, 3.97, 0.09};
     Cut_clues others = clues;
     for (double Cut_clues::*clue : m_left_out)
       others.*clue = mean.*clue;
@@ -114,6 +114,7 @@ std::vector<Segmentation_method> ablation_methods()
           without_clues("relative-length", {&Cut_clues::relative_length}),
           without_clues("segment-size", {&Cut_clues::segment_size}),
           without_clues("widening", {&Cut_clues::larger_widening, &Cut_clues::smaller_widening}),
+          without_clues("shoulder", {&Cut_clues::larger_shoulder, &Cut_clues::smaller_shoulder}),
           without_clues("roundness", {&Cut_clues::roundness}),
           without_clues("neighbors", {&Cut_clues::neighbors}),
           without_clues("contrast", {&Cut_clues::contrast}),

@@ -42,13 +42,17 @@ struct Named_weight
   double first_step;
 };
 
-constexpr std::array<Named_weight, 14> named_weights = {{{"bias", &Cut_weights::bias, 0.5},
+constexpr std::array<Named_weight, 18> named_weights = {{{"bias", &Cut_weights::bias, 0.5},
                                                          {"concave_share", &Cut_weights::concave_share, 1},
                                                          {"relative_length", &Cut_weights::relative_length, 0.5},
                                                          {"least_relative_length", &Cut_weights::least_relative_length, 0.1},
                                                          {"segment_size", &Cut_weights::segment_size, 0.2},
                                                          {"larger_widening", &Cut_weights::larger_widening, 0.4},
                                                          {"smaller_widening", &Cut_weights::smaller_widening, 0.3},
+                                                         {"larger_shoulder", &Cut_weights::larger_shoulder, 1},
+                                                         {"least_larger_shoulder", &Cut_weights::least_larger_shoulder, 0.05},
+                                                         {"largest_larger_shoulder", &Cut_weights::largest_larger_shoulder, 0.1},
+                                                         {"smaller_shoulder", &Cut_weights::smaller_shoulder, 1},
                                                          {"roundness", &Cut_weights::roundness, 0.3},
                                                          {"neighbors", &Cut_weights::neighbors, 0.3},
                                                          {"contrast", &Cut_weights::contrast, 0.3},
@@ -66,6 +70,8 @@ Cut_weights plain_weights()
   weights.concave_share = 4;
   weights.relative_length = -2;
   weights.least_relative_length = -1;
+  weights.least_larger_shoulder = 0;
+  weights.largest_larger_shoulder = 1;
   weights.segment_size = 1;
   return weights;
 }

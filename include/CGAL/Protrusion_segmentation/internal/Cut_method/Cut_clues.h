@@ -28,6 +28,8 @@ struct Cut_clues
   double segment_size;     // log of the segment's share of the area of the component
   double larger_widening;  // log of the area of a strip beside the cut relative to that of a straight one,
   double smaller_widening; // of the two sides
+  double larger_shoulder;  // how fast the opening grows in such a strip, relative to the area of the strip: 1 in a wall that
+  double smaller_shoulder; // a rod sticks out of, 0 along the rod, -1 where it ends; of the two sides
   double roundness;        // log of the area of the opening relative to that of a circle as long as the cut
   double neighbors;        // log of the length of earlier borders around the smaller side relative to the cut's
   double contrast;         // log of what a cut beside this one costs relative to it, of the dearer side
@@ -68,6 +70,8 @@ public:
     clues.segment_size = std::log(m_segment_area);
     clues.larger_widening = (std::max)(inside.widening, outside.widening);
     clues.smaller_widening = (std::min)(inside.widening, outside.widening);
+    clues.larger_shoulder = (std::max)(inside.shoulder, outside.shoulder);
+    clues.smaller_shoulder = (std::min)(inside.shoulder, outside.shoulder);
     clues.roundness = std::log(4 * CGAL_PI * opening() / CGAL::square(length_around()) + 0.05);
     clues.neighbors = std::log(1 + m_earlier_length / m_length);
     clues.contrast = (std::max)(inside.contrast, outside.contrast);
@@ -79,9 +83,11 @@ public:
   }
 
 private:
+  static constexpr double least_widening = 1e-6;
+
   struct Side
   {
-    double widening, contrast;
+    double widening, shoulder, contrast;
   };
 
   double smaller_area() const { return CGAL::square(m_size); }
@@ -98,18 +104,20 @@ private:
   void measure_cut(const Nodes& inner)
   {
     constexpr double least_length = 1e-9;
-    Vector_3 moment(0, 0, 0);
+    Vector_3 moment(0, 0, 0), ends(0, 0, 0);
     m_partition.for_each_arc_of_cut(m_segment, inner, [&](Index arc, Index, Index)
                                     {
                                       m_concave_length += m_graph.concave_border(arc);
                                       m_length += m_graph.border_length[arc];
                                       m_cost += m_graph.capacity[arc];
                                       m_opening += m_graph.border_area[arc];
+                                      ends += m_graph.border_vector[arc];
                                       moment += m_graph.border_moment[arc];
                                     });
     m_length = (std::max)(m_length, least_length);
     m_cost = (std::max)(m_cost, least_length);
     m_centre = moment / m_length;
+    m_opening -= cross_product(m_centre, ends) / 2; // a cone over the cut, also if this ends at the border of the surface
   }
 
   void measure_smaller_side(const Nodes& nodes)
@@ -150,22 +158,43 @@ private:
   Side measure_side(const Nodes& along_cut, bool inner)
   {
     constexpr double strip_width = 0.4; // relative to the square root of the smaller area
-    constexpr double least_widening = 1e-6;
     const double width = strip_width * m_size;
     const Nodes_by_distance near =
       m_partition.nodes_by_distance_on_side(along_cut, m_segment, inner, m_graph.lengths(),
                                             width + m_partition.largest_size() / 2);
     std::vector<float> shares;
     double area = 0;
+    Vector_3 area_vector(0, 0, 0);
     for (std::size_t i = 0; i < near.nodes.size(); ++i)
     {
       const double node_area = m_graph.area[near.nodes[i]];
       shares.push_back(share_of_strip(width - near.distances[i], node_area));
       area += shares.back() * node_area;
+      area_vector += double(shares.back()) * m_graph.area_vector[near.nodes[i]];
     }
     const double widening = area / (m_length * width);
     const double far_cost = m_partition.cost_around(near.nodes, shares, m_segment, inner);
-    return {std::log((std::max)(least_widening, widening)), std::log((far_cost + 0.1 * m_cost) / m_cost)};
+    return {std::log((std::max)(least_widening, widening)),
+            m_graph.is_flat ? flat_shoulder(widening, width) : shoulder(area_vector, area, inner),
+            std::log((far_cost + 0.1 * m_cost) / m_cost)};
+  }
+
+  // The opening grows by what the faces of the strip show along the axis of the cut, away from the other side. What
+  // sticks out across the axis, as a leg out of a trunk, shows as much forwards as backwards, and does not count.
+  double shoulder(const Vector_3& area_vector, double area, bool inner) const
+  {
+    const double size = std::sqrt(m_opening.squared_length()) * area;
+    if (size == 0)
+      return 0;
+    return (inner ? -1 : 1) * (m_opening * area_vector) / size;
+  }
+
+  // The far edge of a flat strip of that area is as wide as if its sides were straight. Both halves of the round body count.
+  double flat_shoulder(double widening, double width) const
+  {
+    const double far_width = (std::max)(0., 2 * widening - 1);
+    const double growth = m_length * (CGAL::square(far_width) - 1) / CGAL_PI;
+    return (std::min)(1., (std::max)(-1., growth / (2 * width * (std::max)(least_widening, widening))));
   }
 
   bool has_several_loops()

@@ -39,9 +39,9 @@ struct Weighted_dual_graph
   std::vector<double> area; // of the nodes
 
   // Of a coarse graph only, see `measure_volumes()`. Of every arc, summed over the edges AB of its border in the
-  // orientation of its source: A x B / 2, so that sums around a loop are the area of its opening, and the midpoint
+  // orientation of its source: A x B / 2 and B - A, from which the area of an opening comes, and the midpoint
   // times the length. Of every node the sum of its area vectors, and of their products with the centroids.
-  std::vector<Indexed_surface::Vector_3> border_area, border_moment, area_vector;
+  std::vector<Indexed_surface::Vector_3> border_area, border_vector, border_moment, area_vector;
   std::vector<double> flux;
   std::vector<Simple_cartesian<float>::Point_3> centre;
 

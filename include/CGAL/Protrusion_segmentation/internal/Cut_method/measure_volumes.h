@@ -32,6 +32,7 @@ inline void measure_volumes(const Indexed_surface& surface,
   { return (p - Indexed_surface::Point_3(0, 0, 0)) / unit; };
 
   graph.border_area.assign(graph.target.size(), Vector_3(0, 0, 0));
+  graph.border_vector.assign(graph.target.size(), Vector_3(0, 0, 0));
   graph.border_moment.assign(graph.target.size(), Vector_3(0, 0, 0));
   std::vector<double> lengths(graph.target.size(), 0);
   graph.area_vector.assign(graph.number_of_nodes(), Vector_3(0, 0, 0));
@@ -45,6 +46,7 @@ inline void measure_volumes(const Indexed_surface& surface,
     const Vector_3 a = position(surface.point(surface.vertex(c)));
     const Vector_3 b = position(surface.point(surface.vertex(surface.next_corner(f, c))));
     graph.border_area[arc] += cross_product(a, b) / 2;
+    graph.border_vector[arc] += b - a;
     const double length = std::sqrt((b - a).squared_length());
     graph.border_moment[arc] += length * (a + b) / 2;
     lengths[arc] += length;
