@@ -218,14 +218,9 @@ void a_dumbbell()
 Test_mesh rod_on_plate(int width, int length)
 {
   const int margin = 3 * width;
-  std::set<std::array<int, 3>> cubes;
-  for (int x = -margin; x < width + margin; ++x)
-    for (int y = -margin; y < width + margin; ++y)
-      cubes.insert({x, y, -1});
-  for (int x = 0; x < width; ++x)
-    for (int y = 0; y < width; ++y)
-      for (int z = 0; z < length; ++z)
-        cubes.insert({x, y, z});
+  Cubes cubes;
+  add_cubes(cubes, {-margin, -margin, -1}, {width + margin, width + margin, 0});
+  add_cubes(cubes, {0, 0, 0}, {width, width, length});
   return voxels(cubes);
 }
 
@@ -247,11 +242,8 @@ void a_rod_on_a_plate()
 // What sticks out of a trunk across its axis makes it wider, but is no shoulder of a cut through the trunk.
 void a_bump_is_no_shoulder()
 {
-  std::set<std::array<int, 3>> cubes;
-  for (int x = 0; x < 24; ++x)
-    for (int y = 0; y < 3; ++y)
-      for (int z = 0; z < 3; ++z)
-        cubes.insert({x, y, z});
+  Cubes cubes;
+  add_cubes(cubes, {0, 0, 0}, {24, 3, 3});
   cubes.insert({11, 1, 3});
   const Cut_clues with_bump = Cut_mesh(voxels(cubes)).clues(below(0, 10)), clues = Cut_mesh(box(24, 3, 3)).clues(below(0, 10));
   CHECK(with_bump.larger_widening > clues.larger_widening + 0.05);

@@ -12,7 +12,6 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/merged_regions.h>
 
-#include <array>
 #include <set>
 
 using namespace test_meshes;
@@ -129,14 +128,9 @@ void random_surfaces(unsigned int seed)
 // any tip is round; the fin is not.
 void a_low_fin_is_a_region()
 {
-  std::set<std::array<int, 3>> cubes;
-  for (int x = 0; x < 24; ++x)
-    for (int y = 0; y < 7; ++y)
-      for (int z = 0; z < 7; ++z)
-        cubes.insert({x, y, z});
-  for (int x = 6; x < 18; ++x)
-    for (int z = 7; z < 10; ++z)
-      cubes.insert({x, 3, z});
+  Cubes cubes;
+  add_cubes(cubes, {0, 0, 0}, {24, 7, 7});
+  add_cubes(cubes, {6, 3, 7}, {18, 4, 10});
   const Indexed_surface surface = to_surface(triangulated(voxels(cubes)));
   const Weighted_dual_graph graph = weighted_dual_graph(surface);
   Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));

@@ -262,6 +262,7 @@ void the_number_of_threads_does_not_matter()
   CHECK(nodes.graph.length == expected_nodes.graph.length && nodes.graph.area == expected_nodes.graph.area);
   CHECK(nodes.graph.curvature == expected_nodes.graph.curvature);
   CHECK(nodes.graph.capacity == expected_nodes.graph.capacity);
+  CHECK(nodes.graph.border_vector == expected_nodes.graph.border_vector);
   CHECK(nodes.graph.border_area == expected_nodes.graph.border_area && nodes.graph.flux == expected_nodes.graph.flux);
 #endif
 }

@@ -31,10 +31,22 @@ inline Test_mesh tetrahedron()
   return result;
 }
 
-// The surface of a union of unit cubes, given by their lowest corners, in quads. It is manifold
+// unit cubes, given by their lowest corners
+using Cubes = std::set<std::array<int, 3>>;
+
+// Those from `first` to before `last` in each direction.
+inline void add_cubes(Cubes& cubes, const std::array<int, 3>& first, const std::array<int, 3>& last)
+{
+  for (int x = first[0]; x < last[0]; ++x)
+    for (int y = first[1]; y < last[1]; ++y)
+      for (int z = first[2]; z < last[2]; ++z)
+        cubes.insert({x, y, z});
+}
+
+// The surface of a union of cubes in quads. It is manifold
 // unless two of the cubes touch in an edge or a corner alone. Part: the side that a face looks to,
 // 0 and 1 for -x and +x, 2 and 3 for y, 4 and 5 for z.
-inline Test_mesh voxels(const std::set<std::array<int, 3>>& cubes)
+inline Test_mesh voxels(const Cubes& cubes)
 {
   Test_mesh result;
   std::map<std::array<int, 3>, std::size_t> vertices;
@@ -74,18 +86,15 @@ inline Test_mesh voxels(const std::set<std::array<int, 3>>& cubes)
 // A box of nx * ny * nz unit cubes: 2 (nx ny + ny nz + nz nx) quads. Parts: the six sides.
 inline Test_mesh box(int nx = 1, int ny = 1, int nz = 1)
 {
-  std::set<std::array<int, 3>> cubes;
-  for (int x = 0; x < nx; ++x)
-    for (int y = 0; y < ny; ++y)
-      for (int z = 0; z < nz; ++z)
-        cubes.insert({x, y, z});
+  Cubes cubes;
+  add_cubes(cubes, {0, 0, 0}, {nx, ny, nz});
   return voxels(cubes);
 }
 
 // A plate of (2 nx + 1) * (2 ny + 1) unit cubes with nx * ny square holes: genus nx * ny.
 inline Test_mesh pierced_plate(int nx, int ny)
 {
-  std::set<std::array<int, 3>> cubes;
+  Cubes cubes;
   for (int x = 0; x < 2 * nx + 1; ++x)
     for (int y = 0; y < 2 * ny + 1; ++y)
       if (x % 2 == 0 || y % 2 == 0)

@@ -83,8 +83,6 @@ public:
   }
 
 private:
-  static constexpr double least_widening = 1e-6;
-
   struct Side
   {
     double widening, shoulder, contrast;
@@ -158,6 +156,7 @@ private:
   Side measure_side(const Nodes& along_cut, bool inner)
   {
     constexpr double strip_width = 0.4; // relative to the square root of the smaller area
+    constexpr double least_widening = 1e-6;
     const double width = strip_width * m_size;
     const Nodes_by_distance near =
       m_partition.nodes_by_distance_on_side(along_cut, m_segment, inner, m_graph.lengths(),
@@ -172,9 +171,9 @@ private:
       area += shares.back() * node_area;
       area_vector += double(shares.back()) * m_graph.area_vector[near.nodes[i]];
     }
-    const double widening = area / (m_length * width);
+    const double widening = (std::max)(least_widening, area / (m_length * width));
     const double far_cost = m_partition.cost_around(near.nodes, shares, m_segment, inner);
-    return {std::log((std::max)(least_widening, widening)),
+    return {std::log(widening),
             m_graph.is_flat ? flat_shoulder(widening, width) : shoulder(area_vector, area, inner),
             std::log((far_cost + 0.1 * m_cost) / m_cost)};
   }
@@ -194,7 +193,7 @@ private:
   {
     const double far_width = (std::max)(0., 2 * widening - 1);
     const double growth = m_length * (CGAL::square(far_width) - 1) / CGAL_PI;
-    return (std::min)(1., (std::max)(-1., growth / (2 * width * (std::max)(least_widening, widening))));
+    return (std::min)(1., (std::max)(-1., growth / (2 * width * widening)));
   }
 
   bool has_several_loops()
