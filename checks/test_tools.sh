@@ -362,7 +362,7 @@ test_awkward_meshes()
       accept:0 | repair:0)
         [ -s awkward/a.seg ] && [ -s awkward/a.json ] || fail "$name: accepted without output"
         [ "$(wc -l <awkward/a.seg)" = "$(json_value awkward/a.json faces)" ] || fail "$name: not a label for each face"
-        [ $duty = accept ] || grep -qE "degenerate|duplicate|more than two faces|turned over" stderr ||
+        [ $duty = accept ] || grep -qE "degenerate|duplicate|more than two faces|no two sides|turned over" stderr ||
           fail "$name: repaired without a word"
         mv awkward/a.json "records/$name.json"
         rm -r awkward/* ;;

@@ -31,7 +31,7 @@ namespace CGAL {
 splits a surface mesh into a body and its protrusions, by a method of choice.
 
 Segment ids are 0 to n-1, where n is the returned number. Every segment is a connected set of faces, but for specks. The
-first ids are those of the bodies, one in each connected component; the others are those of protrusions, in the order in which
+first ids are those of the bodies, one in each connected component, the largest first; the others are those of protrusions, in the order in which
 their borders were chosen. The ids depend on where the faces are and not on the order of `faces(tmesh)`, except for
 faces with the same centroid.
 
@@ -53,7 +53,7 @@ exact kernel are rounded.
                        same.
 \tparam FaceGraph a model of `FaceListGraph` with a point for each vertex
 \tparam SegmentMap a model of `WritablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor`
-                   as key type and `std::size_t` as value type
+                   as key type and an integer type as value type that is wide enough for the ids
 \tparam Number any integer type
 \tparam Method `Protrusion_segmentation::Minimum_cut_method` or `Protrusion_segmentation::Histogram_method`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
@@ -99,7 +99,7 @@ exact kernel are rounded.
         number of segments is given; in both cases nothing is written
 
 \throw std::invalid_argument if `number_of_segments` is below 1 or larger than the number of faces, if a
-       coordinate is not finite, or if a distance of a user's gives anything else than numbers from 0 on
+       coordinate is not finite, if the value type of `segment_ids` is too narrow for the ids, or if a distance of a user's gives anything else than numbers from 0 on
 
 Complexity: that of the method.
 */

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The clusters that become nodes of the coarse graph, and the frame that they are sampled in.
+// The clusters that become nodes of the coarse graph.
 
 #include "check.h"
 #include "indexed_surfaces.h"
@@ -11,7 +11,6 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/disk_clusters.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_coarse_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/principal_axes.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -21,7 +20,6 @@
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 using internal::Clusters;
-using internal::Matrix_3;
 using internal::Weighted_dual_graph;
 
 constexpr Index no_limit = 1000000;
@@ -29,33 +27,6 @@ constexpr Index no_limit = 1000000;
 Clusters clusters_of(const Weighted_dual_graph& graph, Index largest_number = no_limit)
 {
   return internal::Disk_clusters(graph)(largest_number, quiet_execution());
-}
-
-void axes_are_eigenvectors()
-{
-  std::mt19937 random(7);
-  const auto number = [&random]() { return static_cast<double>(random()) / 4294967296. - 0.5; };
-  for (int i = 0; i < 1000; ++i)
-  {
-    Matrix_3 m = {};
-    for (int a = 0; a < 3; ++a)
-      for (int b = a; b < 3; ++b)
-        m[a][b] = m[b][a] = i % 5 == 0 && a != b ? 0 : number();
-    const Matrix_3 axes = internal::principal_axes(m);
-    std::vector<double> eigenvalues;
-    for (const auto& axis : axes)
-    {
-      Point image = {0, 0, 0};
-      for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b)
-          image[a] += m[a][b] * axis[b];
-      const Point direction = {axis[0], axis[1], axis[2]};
-      CHECK_CLOSE(length(direction), 1, 1e-12);
-      eigenvalues.push_back(dot(image, direction));
-      CHECK_CLOSE(length(image - eigenvalues.back() * direction), 0, 1e-12);
-    }
-    CHECK(eigenvalues[0] >= eigenvalues[1] - 1e-12 && eigenvalues[1] >= eigenvalues[2] - 1e-12);
-  }
 }
 
 // Of clusters, how many pieces their nodes form.
@@ -165,7 +136,6 @@ void a_small_surface_stays_as_it_is()
 
 int main()
 {
-  axes_are_eigenvectors();
   clusters_are_connected(star(4));
   clusters_are_connected(sheet(60, 50));
   clusters_are_connected(thin_strip(300));

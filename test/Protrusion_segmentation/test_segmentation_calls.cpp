@@ -199,6 +199,33 @@ void numbers_below_one_are_refused()
   CHECK(tips.empty());
 }
 
+template <typename Id, typename Segment>
+void check_narrow_ids(Segment segment, const std::string& message)
+{
+  Mesh mesh = star_mesh();
+  const auto ids = mesh.add_property_map<Face_descriptor, Id>("f:id", Id(1)).first;
+  CHECK_THROWS_WITH(segment(mesh, ids), std::invalid_argument, message);
+  for (const Face_descriptor f : mesh.faces())
+    CHECK_EQUAL(ids[f], Id(1));
+}
+
+// Two segments would become one.
+void ids_must_fit_into_the_map()
+{
+  const auto many = [](const Mesh& mesh, auto ids)
+  { CGAL::segmentation_via_protrusion_tips(mesh, ids, 300, Histogram_method()); };
+  const auto few = [](const Mesh& mesh, auto ids) { CGAL::segmentation_via_protrusion_tips(mesh, ids, 5); };
+  const auto of_hierarchy = [](const Mesh& mesh, auto ids)
+  { CGAL::protrusion_hierarchy(mesh, 5).segment_ids(mesh, 5, ids); };
+  check_narrow_ids<unsigned char>(many, "holds numbers up to 255, but there is a segment ");
+  check_narrow_ids<bool>(few, "holds numbers up to 1, but there is a segment ");
+  check_narrow_ids<bool>(of_hierarchy, "holds numbers up to 1, but there is a segment ");
+  Mesh mesh = star_mesh();
+  const auto ids = mesh.add_property_map<Face_descriptor, unsigned char>("f:id").first;
+  CHECK_EQUAL(CGAL::segmentation_via_protrusion_tips(mesh, ids, 5), 5);
+  CHECK_EQUAL(*std::max_element(ids.begin(), ids.end()), 4);
+}
+
 int main()
 {
   numbers_may_have_any_integer_type();
@@ -209,5 +236,6 @@ int main()
   with_tag<CGAL::Parallel_tag>();
 #endif
   numbers_below_one_are_refused();
+  ids_must_fit_into_the_map();
   return check::result();
 }

@@ -115,7 +115,8 @@ void every_component_is_a_segment_at_least()
   {
     const Segmentation found = paper_segmentation(mesh, k);
     CHECK_EQUAL(found.number, 3);
-    CHECK_EQUAL(found.labels.front(), 0); // components have the first ids, in the order of the faces
+    CHECK_EQUAL(found.labels.front(), 1); // components have the first ids, the largest, in the middle of the faces, 0
+    CHECK_EQUAL(found.labels[icosphere(2).faces.size()], 0);
     CHECK_EQUAL(found.labels.back(), 2);
   }
   const Segmentation found = paper_segmentation(mesh, 7);

@@ -175,6 +175,9 @@ std::string describe(const Repairs& repairs)
                     " that of the first");
   if (repairs.non_manifold_edges > 0)
     parts.push_back(counted(repairs.non_manifold_edges, "edge is", "edges are") + " of more than two faces");
+  if (repairs.unorientable_edges > 0)
+    parts.push_back("cut open at " + counted(repairs.unorientable_edges, "edge", "edges") +
+                    ", since the surface has no two sides");
   if (repairs.reversed_polygons > 0)
     parts.push_back(counted(repairs.reversed_polygons, "face was", "faces were") + " turned over");
   if (repairs.specks > 0)

@@ -186,6 +186,7 @@ Json describe_surface(const Input_mesh& mesh)
     .add("degenerate_faces", repairs.degenerate_polygons)
     .add("duplicate_faces", repairs.duplicate_polygons)
     .add("non_manifold_edges", repairs.non_manifold_edges)
+    .add("unorientable_edges", repairs.unorientable_edges)
     .add("reversed_faces", repairs.reversed_polygons);
   return object.take();
 }

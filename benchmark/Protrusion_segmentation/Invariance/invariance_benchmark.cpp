@@ -4,7 +4,7 @@
 //
 // The same shape, other triangles: does it get the same segments?
 //
-// invariance_benchmark --folder FOLDER [--every N] [--methods LIST]
+// invariance_benchmark --folder FOLDER [--every N] [--methods LIST] [--changes NAME...]
 
 #include "changes_of_mesh.h"
 #include "named_methods.h"
@@ -32,6 +32,7 @@ struct Options
   std::string folder;
   std::size_t every = 1;
   std::string methods = "Minimum-cut-automatic,Minimum-cut,Paper-GD-automatic,Paper-GD,SDF-5-0.26";
+  std::vector<std::string> changes; // all if empty
 };
 
 std::vector<Segmentation_method> chosen_methods(const std::string& list)
@@ -40,6 +41,22 @@ std::vector<Segmentation_method> chosen_methods(const std::string& list)
   for (const Segmentation_method& method : sdf_methods())
     all.push_back(method);
   return named_methods(all, list);
+}
+
+std::vector<Change_of_mesh> chosen_changes(const std::vector<std::string>& names)
+{
+  const std::vector<Change_of_mesh> all = all_changes_of_mesh();
+  if (names.empty())
+    return all;
+  std::vector<Change_of_mesh> result;
+  for (const std::string& name : names)
+  {
+    const auto change = std::find_if(all.begin(), all.end(), [&](const Change_of_mesh& c) { return c.name == name; });
+    if (change == all.end())
+      throw std::invalid_argument("--changes: there is no change \"" + name + "\"");
+    result.push_back(*change);
+  }
+  return result;
 }
 
 std::vector<std::string> files_in(const std::string& folder)
@@ -167,7 +184,7 @@ void run(const Options& options)
   if (options.every == 0)
     throw std::invalid_argument("--every is 0");
   const std::vector<Segmentation_method> methods = chosen_methods(options.methods);
-  const std::vector<Change_of_mesh> changes = all_changes_of_mesh();
+  const std::vector<Change_of_mesh> changes = chosen_changes(options.changes);
   Tallies tallies(changes.size(), std::vector<Tally>(methods.size()));
   const std::vector<std::string> files = files_in(options.folder);
   std::size_t number_of_meshes = 0;
@@ -194,6 +211,7 @@ int main(int argc, char** argv)
   app.add_option("--methods", options.methods, "names from the quality benchmark; the first one sets the number of "
                                                "segments for those that are given one")
     ->capture_default_str();
+  app.add_option("--changes", options.changes, "rows of the table, by their names; all if there are none");
   CLI11_PARSE(app, argc, argv);
   try
   {

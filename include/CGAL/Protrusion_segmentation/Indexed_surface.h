@@ -40,8 +40,10 @@ The face dual graph (Section III.B of the paper) has the faces as nodes and an a
 for every edge that two different faces share. The length of an arc is the distance between the
 centroids of the two faces.
 
-The coordinates are those of the input mesh, moved and scaled by a power of two so that the whole
-surface fits into \f$[-1, 1]^3\f$: neither tiny nor huge coordinates can under- or overflow.
+The coordinates are those of the input mesh, moved and scaled so that the whole surface fits into \f$[-1, 1]^3\f$: neither
+tiny nor huge coordinates can under- or overflow. A connected surface is turned, too, and mirrored where needed, so that
+they are the same however the mesh lies: the origin is its center of gravity, the axes are those of inertia, and coordinates are
+rounded to multiples of \f$2^{-30}\f$.
 
 The memory is about 70 bytes per triangle.
 */
@@ -174,22 +176,11 @@ public:
   /// \param face below `number_of_faces()`
   Vector_3 area_vector(Index face) const
   {
-    return internal::polygon_area_vector(Polygon{*this, face});
+    return internal::polygon_area_vector(Corners{*this, face});
   }
 
 private:
-  // the points of a face as a range
-  struct Polygon
-  {
-    const Indexed_surface& surface;
-    Index face;
-
-    std::size_t size() const { return surface.first_corner(face + 1) - surface.first_corner(face); }
-    const Point_3& operator[](std::size_t i) const
-    {
-      return surface.point(surface.vertex(surface.first_corner(face) + static_cast<Index>(i)));
-    }
-  };
+  using Corners = internal::Corners_of_face<Indexed_surface>;
 
   void measure_faces(bool is_parallel)
   {
@@ -202,7 +193,7 @@ private:
                                for (std::size_t f = begin; f < end; ++f)
                                {
                                  const internal::Polygon_measures face =
-                                   internal::measure_polygon(Polygon{*this, static_cast<Index>(f)});
+                                   internal::measure_polygon(Corners{*this, static_cast<Index>(f)});
                                  m_areas[f] = face.area;
                                  m_centroids[f] = face.centroid;
                                }

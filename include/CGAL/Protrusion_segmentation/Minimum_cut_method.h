@@ -54,7 +54,8 @@ With `CGAL::Parallel_tag`, segments are searched for cuts by several threads, if
 labels are the same.
 
 Complexity: linear in the number of faces. Normals are averaged on groups of faces where these are small, and of all that
-is searched on the coarse graph, the time does not depend on the number of faces.
+is searched on the coarse graph, the time does not depend on the number of faces. From given tips, each takes a minimum cut
+of the coarse graph: with hundreds of tips they take longer than all else.
 */
 class Minimum_cut_method
 {

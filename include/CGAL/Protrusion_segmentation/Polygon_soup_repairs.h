@@ -23,6 +23,9 @@ struct Polygon_soup_repairs
   std::size_t duplicate_polygons = 0;
   /// edges of more than two polygons, duplicates not counted
   std::size_t non_manifold_edges = 0;
+  /// edges of two polygons that were left apart, since no orientation of the surface fits both: a Moebius strip is cut
+  /// open there
+  std::size_t unorientable_edges = 0;
   /// polygons that were turned over to be oriented as their neighbors are
   std::size_t reversed_polygons = 0;
   /// small components, and walls between two solids, that touch the rest, left out with all their polygons
@@ -30,10 +33,11 @@ struct Polygon_soup_repairs
   /// connected components of the mesh; no repair
   std::size_t components = 0;
 
-  /// whether every polygon became a face as it is, and no edge has more than two polygons
+  /// whether every polygon became a face as it is, joined to all that it shares edges with, and no edge has more than
+  /// two polygons
   bool is_nothing() const
   {
-    return degenerate_polygons + duplicate_polygons + non_manifold_edges + reversed_polygons + specks == 0;
+    return degenerate_polygons + duplicate_polygons + non_manifold_edges + unorientable_edges + reversed_polygons + specks == 0;
   }
 };
 

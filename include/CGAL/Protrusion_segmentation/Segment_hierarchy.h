@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_SEGMENT_HIERARCHY_H
 #define CGAL_PROTRUSION_SEGMENTATION_SEGMENT_HIERARCHY_H
 
+#include <CGAL/Protrusion_segmentation/internal/Mesh/write_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 
 #include <boost/graph/graph_traits.hpp>
@@ -24,7 +25,7 @@ namespace Protrusion_segmentation {
 The nested protrusions of a surface (Figure 1 of the paper) as a tree, and with it the segmentations for every
 number of segments.
 
-The bodies of the connected components have the first numbers, one each. The other segments are protrusions, in the
+The bodies of the connected components have the first numbers, one each, the largest component 0. The other segments are protrusions, in the
 order in which their borders were chosen; each sticks out of its parent. The segmentation with one segment less is
 found by joining the last segment to its parent; what stuck out of it then sticks out of the parent.
 
@@ -50,23 +51,25 @@ public:
 
   \tparam FaceGraph the type of the mesh for which the hierarchy was made
   \tparam SegmentMap a model of `WritablePropertyMap` with
-                     `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and `std::size_t` as
-                     value type
+                     `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and an integer type as
+                     value type that is wide enough for the ids
   \param tmesh the mesh for which the hierarchy was made, with the same faces in the same order
   \param number_of_segments from `minimum_number_of_segments()` to `maximum_number_of_segments()`
   \param segment_ids the segment of every face, from 0 to `number_of_segments` - 1
-  \throw std::invalid_argument if `number_of_segments` is out of range or `tmesh` has another number of faces
+  \throw std::invalid_argument if `number_of_segments` is out of range, `tmesh` has another number of faces, or the value
+         type of `segment_ids` is too narrow
   */
   template <typename FaceGraph, typename SegmentMap>
   void segment_ids(const FaceGraph& tmesh, std::size_t number_of_segments, SegmentMap segment_ids) const
   {
     const std::vector<Index> ancestors = ancestors_below(number_of_segments);
+    std::vector<Index> labels;
+    for (Index label : m_labels)
+      labels.push_back(ancestors[label]);
     if (static_cast<std::size_t>(std::distance(faces(tmesh).begin(), faces(tmesh).end())) !=
         m_labels.size())
       throw std::invalid_argument("tmesh is not the mesh of the hierarchy: it has another number of faces");
-    std::size_t i = 0;
-    for (const auto f : faces(tmesh))
-      put(segment_ids, f, static_cast<std::size_t>(ancestors[m_labels[i++]]));
+    internal::write_segments(tmesh, labels, segment_ids);
   }
 
 #ifndef DOXYGEN_RUNNING

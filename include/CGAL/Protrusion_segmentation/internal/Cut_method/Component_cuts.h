@@ -243,9 +243,9 @@ private:
     for (const auto& [promise, s] : promises)
     {
       const Index source = m_pool[s].source;
-      const Index next = m_pool[source].is_searched ? s : source; // what it takes over its cuts from comes first
-      if (std::find(result.begin(), result.end(), next) == result.end())
-        result.push_back(next);
+      const Index first = m_pool[source].is_searched ? s : source; // what it takes over its cuts from comes first
+      if (std::find(result.begin(), result.end(), first) == result.end())
+        result.push_back(first);
     }
     return result;
   }

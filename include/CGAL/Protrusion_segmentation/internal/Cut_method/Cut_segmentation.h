@@ -16,7 +16,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
 
 #include <algorithm>
@@ -136,8 +135,7 @@ private:
   // and ties decided alike.
   Canonical_surface surface_of_its_own(Surface_arrays arrays) const
   {
-    const double unit = normalize(arrays.points);
-    return Canonical_surface(std::move(arrays), unit, m_execution.is_parallel());
+    return Canonical_surface(std::move(arrays), 1, m_execution.is_parallel());
   }
 
   // The face of the whole surface for a face of a component.

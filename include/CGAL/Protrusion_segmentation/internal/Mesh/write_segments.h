@@ -14,12 +14,28 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
+
+// Throws if the type cannot hold all labels: two segments would become one.
+template <typename Id>
+void check_type_of_ids(const std::vector<Indexed_surface::Index>& labels)
+{
+  if constexpr (std::numeric_limits<Id>::is_integer)
+    for (const Indexed_surface::Index label : labels)
+      if (label > static_cast<std::uintmax_t>((std::numeric_limits<Id>::max)()))
+        throw std::invalid_argument("segment_ids: its value type holds numbers up to " +
+                                    std::to_string((std::numeric_limits<Id>::max)()) +
+                                    ", but there is a segment " + std::to_string(label));
+}
 
 // Writes the segment of every face; `labels` are in the order of the mesh.
 template <typename FaceGraph, typename SegmentMap>
@@ -28,6 +44,7 @@ void write_segments(const FaceGraph& mesh,
                     SegmentMap& segment_ids)
 {
   using Id = typename boost::property_traits<SegmentMap>::value_type;
+  check_type_of_ids<Id>(labels);
   std::size_t i = 0;
   for (const auto f : faces(mesh))
     put(segment_ids, f, static_cast<Id>(labels[i++]));

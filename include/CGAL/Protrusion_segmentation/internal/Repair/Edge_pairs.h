@@ -60,6 +60,8 @@ public:
 
   std::size_t number_of_sides() const { return m_face.size(); }
   std::size_t number_of_non_manifold_edges() const { return m_number_of_non_manifold_edges; }
+  // of two faces that are not joined, since the faces between them orient them otherwise
+  std::size_t number_of_unorientable_edges() const { return m_number_of_unorientable_edges; }
 
   std::size_t face(std::size_t side) const { return m_face[side]; }
   std::size_t next(std::size_t side) const
@@ -141,14 +143,16 @@ private:
   std::size_t end(std::size_t side) const { return m_faces.polygons.corner(next(side)); }
   Two places_of_ends(std::size_t side) const { return ascending(m_places[start(side)], m_places[end(side)]); }
 
-  void join(std::size_t side, std::size_t other)
+  // Returns whether the orientations fit.
+  bool join(std::size_t side, std::size_t other)
   {
     const bool is_turned = are_parallel(side, other);
     if (!m_orientations.fits(m_face[side], m_face[other], is_turned))
-      return;
+      return false;
     m_orientations.unite(m_face[side], m_face[other], is_turned);
     m_partner[side] = other;
     m_partner[other] = side;
+    return true;
   }
 
   // Joins those of `sides` that share their ends with one other side only. The others are returned, but for those
@@ -178,7 +182,7 @@ private:
     // Faces that are oriented alike come first: they decide how the others are turned.
     for (const std::vector<Two>* pairs : {&opposite, &parallel})
       for (const Two& pair : *pairs)
-        join(pair[0], pair[1]);
+        m_number_of_unorientable_edges += join(pair[0], pair[1]) ? 0 : 1;
     return left;
   }
 
@@ -253,6 +257,7 @@ private:
   std::vector<bool> m_is_crowded;
   Parity_sets m_orientations;
   std::size_t m_number_of_non_manifold_edges = 0;
+  std::size_t m_number_of_unorientable_edges = 0;
 };
 
 } // namespace internal

@@ -83,6 +83,7 @@ inline Manifold_surface manifold_surface(Polygon_soup soup)
   repairs.specks = Specks(soup, place_of, *joined).leave_out(is_left_out);
   if (repairs.specks > 0) // then the rest goes together anew
     joined = std::make_unique<Joined_faces>(soup, place_of, is_left_out);
+  repairs.unorientable_edges = joined->pairs.number_of_unorientable_edges();
   repairs.reversed_polygons =
     std::size_t(std::count(joined->is_turned.begin(), joined->is_turned.end(), true));
   repairs.components = number_of_components(joined->pairs);

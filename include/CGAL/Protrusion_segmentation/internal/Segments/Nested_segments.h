@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,7 @@ namespace internal {
 
 // The segments of a surface and where each was cut from.
 //
-// The bodies of the connected components come first. Every other segment sticks out of its parent. The segmentation
+// The bodies of the connected components come first, the largest component first. Every other segment sticks out of its parent. The segmentation
 // into any smaller number of segments is found by giving the faces of the last segments back: each to the nearest
 // ancestor that is left.
 class Nested_segments
@@ -33,12 +34,15 @@ public:
   Nested_segments() = default;
 
   explicit Nested_segments(const Indexed_surface& surface)
-    : m_labels(label_components(surface, std::vector<Index>(surface.number_of_faces(), 0)).component)
   {
-    for (Index label : m_labels)
-      if (label == m_parents.size())
-        m_parents.push_back(label);
-    m_number_of_components = m_parents.size();
+    Label_components components = label_components(surface, std::vector<Index>(surface.number_of_faces(), 0));
+    const std::vector<Index> rank = ranks_by_area(components.area);
+    for (Index& component : components.component)
+      component = rank[component];
+    m_labels = std::move(components.component);
+    m_number_of_components = rank.size();
+    m_parents.resize(rank.size());
+    std::iota(m_parents.begin(), m_parents.end(), Index(0));
     collect_faces();
   }
 
@@ -88,6 +92,19 @@ public:
   }
 
 private:
+  // The largest area has rank 0. Areas that are as floating-point numbers of single precision the same, as those of copies are,
+  // stay in their order.
+  static std::vector<Index> ranks_by_area(const std::vector<double>& areas)
+  {
+    std::vector<Index> order(areas.size()), ranks(areas.size());
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(),
+                     [&](Index a, Index b) { return static_cast<float>(areas[a]) > static_cast<float>(areas[b]); });
+    for (Index rank = 0; rank < order.size(); ++rank)
+      ranks[order[rank]] = rank;
+    return ranks;
+  }
+
   void collect_faces()
   {
     std::vector<std::size_t> sizes(m_parents.size(), 0);

@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Rest_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/canonical_frame.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/canonical_order.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
@@ -20,22 +21,24 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// A surface whose faces are in an order that depends on where they are and not on the mesh.
+// A surface whose points are where its shape alone puts them, if it is connected, and whose faces are in an order that depends
+// on where they are and not on the mesh.
 class Canonical_surface
 {
 public:
   using Index = Indexed_surface::Index;
 
-  // `unit`: what turns lengths of the arrays into those of the mesh
+  // Of a connected surface. `unit`: what turns lengths of the arrays into those of the mesh
   Canonical_surface(Surface_arrays arrays, double unit, bool is_parallel = false)
-    : m_unit(unit), m_position(canonical_order(arrays, is_parallel))
+    : m_unit(unit * move_to_canonical_frame(arrays, is_parallel)), m_position(canonical_order(arrays, is_parallel))
   {
     take_in_order(arrays, is_parallel);
   }
 
-  // Of a whole mesh, in its coordinates. A face on a speck is, for tips and values, the face that stands for it.
+  // Of a whole mesh, in its coordinates. Components that do not hang together have no frame in common. A face on a speck is, for tips and values, the face that stands for it.
   explicit Canonical_surface(Rest_of_surface rest, bool is_parallel = false)
-    : m_unit(normalize(rest.arrays.points)), m_position(canonical_order(rest.arrays, is_parallel))
+    : m_unit(rest.is_connected ? move_to_canonical_frame(rest.arrays, is_parallel) : normalize(rest.arrays.points)),
+      m_position(canonical_order(rest.arrays, is_parallel))
   {
     take_in_order(rest.arrays, is_parallel);
     if (rest.stand_ins.empty())

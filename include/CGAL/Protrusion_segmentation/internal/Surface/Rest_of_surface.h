@@ -28,6 +28,7 @@ struct Rest_of_surface
   // for every face of the whole surface a face of the rest: itself, or the one nearest to its speck
   std::vector<Index> stand_ins;
   std::size_t number_of_specks = 0;
+  bool is_connected = false;
 };
 
 // Coordinates may be of any size. Takes linear time, and O(n log n) for n faces if there are specks.

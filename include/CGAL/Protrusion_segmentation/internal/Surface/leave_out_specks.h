@@ -67,6 +67,7 @@ CGAL_PROTRUSION_SEGMENTATION_INLINE Rest_of_surface leave_out_specks(Surface_arr
   const std::vector<Index> component = components_of_faces(surface);
   const std::vector<bool> is_speck = specks_among(surface, component);
   result.number_of_specks = std::size_t(std::count(is_speck.begin(), is_speck.end(), true));
+  result.is_connected = is_speck.size() == result.number_of_specks + 1;
   if (result.number_of_specks == 0)
   {
     result.arrays = std::move(surface);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
@@ -65,6 +66,22 @@ Simple_cartesian<double>::Point_3 polygon_centroid(const Corners& corners,
   const bool is_moment_right = corners.size() > 3 && moment.squared_length() <= reach;
   return origin + (is_moment_right ? moment : sum / static_cast<double>(corners.size()));
 }
+
+// The corners of a face of a surface, as such a range.
+template <typename Surface>
+struct Corners_of_face
+{
+  using Index = std::uint32_t;
+
+  const Surface& surface;
+  Index face;
+
+  std::size_t size() const { return surface.first_corner(face + 1) - surface.first_corner(face); }
+  const Simple_cartesian<double>::Point_3& operator[](std::size_t i) const
+  {
+    return surface.point(surface.vertex(surface.first_corner(face) + static_cast<Index>(i)));
+  }
+};
 
 template <typename Corners>
 Polygon_measures measure_polygon(const Corners& corners)

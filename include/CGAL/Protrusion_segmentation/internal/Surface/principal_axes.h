@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace CGAL {
@@ -25,8 +26,9 @@ inline Matrix_3 principal_axes(Matrix_3 m)
 {
   constexpr int number_of_sweeps = 8; // convergence is quadratic: five reach the last digit
   Matrix_3 axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  using Pair = std::pair<std::size_t, std::size_t>;
   for (int sweep = 0; sweep < number_of_sweeps; ++sweep)
-    for (const auto& [p, q] : {std::make_pair(0, 1), std::make_pair(0, 2), std::make_pair(1, 2)})
+    for (const auto& [p, q] : {Pair(0, 1), Pair(0, 2), Pair(1, 2)})
     {
       if (m[p][q] == 0)
         continue;
@@ -39,15 +41,15 @@ inline Matrix_3 principal_axes(Matrix_3 m)
         x = c * old - s * y;
         y = s * old + c * y;
       };
-      for (int i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < 3; ++i)
         rotate(m[p][i], m[q][i]);
-      for (int i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < 3; ++i)
       {
         rotate(m[i][p], m[i][q]);
         rotate(axes[p][i], axes[q][i]);
       }
     }
-  std::array<std::pair<double, int>, 3> order = {{{-m[0][0], 0}, {-m[1][1], 1}, {-m[2][2], 2}}};
+  std::array<std::pair<double, std::size_t>, 3> order = {{{-m[0][0], 0}, {-m[1][1], 1}, {-m[2][2], 2}}};
   std::sort(order.begin(), order.end());
   return {axes[order[0].second], axes[order[1].second], axes[order[2].second]};
 }
