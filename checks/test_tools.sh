@@ -429,6 +429,33 @@ test_unwritable_outputs()
   "$segment" "$in" >/dev/full 2>stderr && fail "standard output: a full one is no failure"
 }
 
+# No output takes the place of a file that is read, or of another output, by whatever name; nothing is done then.
+test_names_given_twice()
+{
+  mkdir -p names/parts
+  cp "$data/tetrahedron.off" names/0.off
+  echo '{"tips": [0]}' >names/tips.json
+  ln -s 0.off names/link.off
+  ln -s ../0.off names/parts/7.ply
+  local arguments
+  for arguments in "-o %d.off" "-o ./%d.off" "-o $PWD/names/%d.off" "-o link.off" "-o parts/%d.ply" \
+                   "--tips tips.json --json tips.json" "--tips tips.json --json ./tips.json" \
+                   "-o %d.ply --json 12.ply" "-o d%d.ply -o d0.ply" "-o d%03d.ply -o d1000.ply" "-o d%3d.ply -o ../names/d123.ply" \
+                   "-o d%d.ply -o d%02d.ply" "-o d%d.ply -o d1%d.ply" "-o 1%d.ply -o %d2.ply" \
+                   "-o new.ply -o ./new.ply" "-o new/a.ply -o new/../new/a.ply"; do
+    # shellcheck disable=SC2086
+    (cd names && timeout 60 "$segment" 0.off $arguments) >stdout 2>stderr
+    code=$? command="$arguments"
+    [ "$code" = 2 ] || fail "$command: exit code instead of 2"
+    expect_one_line "' is named twice"
+  done
+  expect_files names 0.off tips.json link.off parts parts/7.ply
+  cmp -s "$data/tetrahedron.off" names/0.off || fail "an input was written to"
+  # What only looks alike is another file.
+  expect 0 "$segment" names/0.off -k 2 -o names/d%d.off -o names/d%d.ply -o names/d00.off -o names/%02d.off -o names/parts/0.off
+  rm -r names
+}
+
 test_words()
 {
   local in=outputs/teddy.off words
@@ -777,6 +804,7 @@ test_number_of_segments
 test_awkward_meshes
 test_awkward_segmentations
 test_unwritable_outputs
+test_names_given_twice
 test_words
 test_sound_files
 test_pipes

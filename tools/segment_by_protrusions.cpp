@@ -14,6 +14,7 @@
 #include "command_line/tool_main.h"
 #include "segmentation/segment_file.h"
 #include "writing/outputs.h"
+#include "writing/part_names.h"
 #include "writing/write_output.h"
 
 #include <CLI/CLI.hpp>

@@ -10,6 +10,7 @@
 #include "report/report.h"
 #include "segmentation/segment.h"
 #include "writing/outputs.h"
+#include "writing/part_names.h"
 
 #include <CLI/CLI.hpp>
 
@@ -80,26 +81,48 @@ void check_collection(const CLI::App& app, const Command_line& command_line)
       throw std::invalid_argument("the standard input is one mesh, which needs no --output-folder");
 }
 
-void check_names(const Command_line& command_line)
+void check_outputs(const Command_line& command_line)
 {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  std::set<fs::path> seen;
-  if (const std::string& input = command_line.inputs.front(); input != "-")
-    seen.insert(fs::weakly_canonical(input, ignored));
-  std::vector<std::string> all = command_line.outputs;
-  for (const std::string& name : all)
+  const std::vector<std::string>& outputs = command_line.outputs;
+  for (const std::string& name : outputs)
     check_output_name(name);
-  if (!command_line.caps.empty() && std::none_of(all.begin(), all.end(), is_pattern))
+  if (!command_line.caps.empty() && std::none_of(outputs.begin(), outputs.end(), is_pattern))
     throw std::invalid_argument("--close has no meaning without a %d in the name of an output");
   if (!command_line.borders.empty() && lower_case_extension(command_line.borders) != ".vtp")
     throw std::invalid_argument("--borders: '" + command_line.borders + "' has not the extension .vtp");
+}
+
+std::string place_of(const std::string& name)
+{
+  return name == "-" ? name : place_of_file(name).string();
+}
+
+// No file may be written twice, or take the place of one that is read, by whatever names.
+void check_names(const Command_line& command_line)
+{
+  std::vector<std::string> names, patterns;
+  for (const std::string& name : command_line.outputs)
+    (is_pattern(name) ? patterns : names).push_back(name);
   for (const std::string& name : {command_line.json, command_line.report, command_line.borders})
     if (!name.empty())
-      all.push_back(name);
-  for (const std::string& name : all)
-    if (!seen.insert(name == "-" ? fs::path(name) : fs::weakly_canonical(name, ignored)).second)
+      names.push_back(name);
+  for (const std::string& name : {command_line.inputs.front(), command_line.tips})
+    if (!name.empty() && name != "-") // which may be an output besides
+      names.push_back(name);
+
+  std::set<std::string> places;
+  for (const std::string& name : names)
+    if (!places.insert(place_of(name)).second)
       throw std::invalid_argument("'" + name + "' is named twice");
+  for (std::size_t i = 0; i < patterns.size(); ++i)
+  {
+    for (const std::string& name : names)
+      if (name != "-" && gives_part(patterns[i], name))
+        throw std::invalid_argument("'" + name + "' is named twice: '" + patterns[i] + "' can give it, too");
+    for (std::size_t j = 0; j < i; ++j)
+      if (const auto name = common_part(patterns[j], patterns[i]))
+        throw std::invalid_argument("'" + *name + "' is named twice: by '" + patterns[j] + "' and '" + patterns[i] + "'");
+  }
 }
 
 constexpr const char* no_report = "three.js was not found when this program was built";
@@ -112,6 +135,7 @@ void check(const CLI::App& app, const Command_line& command_line)
     check_meanings(app, distances(), command_line.options.distance);
     check_options(command_line.options);
     check_collection(app, command_line);
+    check_outputs(command_line);
     check_names(command_line);
     if (!command_line.report.empty() && !can_write_report())
       throw std::invalid_argument(std::string("--report: ") + no_report);

@@ -20,10 +20,7 @@ namespace tool
 // "name: description" of every format, chosen by the extension of a name.
 std::vector<std::string> output_formats();
 
-// Does the name have a "%d", or a "%03d", for a file per segment?
-bool is_pattern(const std::string& name);
-
-// Or only the labels of the faces of the file that was read?
+// Or only the labels of the faces of the file that was read? Of a name that `check_output_name()` takes.
 bool holds_a_mesh(const std::string& name);
 
 // Throws std::invalid_argument if no file can have this name: an unknown extension, or a "%d" where
