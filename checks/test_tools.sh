@@ -651,6 +651,48 @@ test_collection()
   expect 2 "$segment" meshes/a.off meshes/broken.off
 }
 
+# What an earlier run left beside the files of this one is told of, and not taken for a part of it.
+test_files_of_earlier_runs()
+{
+  expect 0 "$segment" outputs/teddy.off -k 4 -o earlier/%d.obj
+  [ -s stderr ] && fail "$command: a note without reason"
+  expect 0 "$segment" outputs/teddy.off -k 3 -o earlier/%d.obj
+  expect_one_line "earlier/3.obj is not of this run"
+  expect 0 "$segment" outputs/teddy.off -k 2 -o earlier/%d.obj
+  expect_one_line "earlier/2.obj to earlier/3.obj, 2 files, are not of this run"
+  expect_files earlier 0.obj 1.obj 2.obj 3.obj
+
+  mkdir earlier/in
+  cp outputs/teddy.off earlier/in/a.off
+  local call=("$segment" earlier/in --output-folder earlier/out)
+  expect 0 "${call[@]}" -k 3 --format ply --format seg
+  expect_text earlier/out/a.json '"ply"'
+  expect 0 "${call[@]}" -k 3 --format seg
+  expect_text stdout "1 already there"
+  [ -s stderr ] && fail "$command: a note on a file of the same segments"
+  for i in 1 2; do # done, and done already
+    expect 0 "${call[@]}" -k 2
+    expect_one_line "earlier/in/a.off: earlier/out/a.ply is of another run than earlier/out/a.json"
+  done
+  expect_text stdout "1 already there"
+  expect 0 "${call[@]}" -k 2 --quiet
+  [ -s stderr ] && fail "$command: is not quiet"
+  expect 0 "${call[@]}" -k 2 --format ply # which is there, of other segments
+  expect_text stdout "0 already there"
+  echo broken >earlier/in/a.off
+  touch -d "1 hour" earlier/in/a.off
+  run "${call[@]}" -k 2
+  [ "$code" = 1 ] || fail "$command: a failure is not told by the exit code"
+  expect_text stderr "; earlier/out/a.seg, earlier/out/a.ply are of another run than earlier/out/a.json"
+  expect_files earlier/out a.seg a.ply a.json
+  cp earlier/out/a.json records/of_earlier_run.json
+  # A mesh that lies beside its outputs is none of them.
+  cp outputs/teddy.off earlier/in/a.off
+  expect 0 "$segment" earlier/in/a.off --output-folder earlier/in
+  [ -s stderr ] && fail "$command: the mesh is taken for an output"
+  rm -r earlier
+}
+
 # A mesh whose process the system ends, here for want of time, has failed, and no other.
 test_ended_process()
 {
@@ -811,6 +853,7 @@ test_pipes
 test_3MF
 test_VTP
 test_collection
+test_files_of_earlier_runs
 test_ended_process
 test_smooth_borders
 test_tips

@@ -39,6 +39,10 @@ void print_summary(const tool::Command_line& command_line, const tool::Findings&
   if (!findings.note.empty())
     tell(command_line, findings.note);
   const auto& outputs = command_line.outputs;
+  for (const std::string& name : outputs)
+    if (tool::is_pattern(name))
+      if (const std::string note = tool::note_on_further_parts(name, findings.segmentation.number_of_segments); !note.empty())
+        tell(command_line, note);
   if (command_line.json == "-" || std::find(outputs.begin(), outputs.end(), "-") != outputs.end())
     return; // nothing else shall be on the standard output
   std::cout << findings.input << ": " << tool::summary(findings) << "\n";

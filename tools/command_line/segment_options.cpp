@@ -194,7 +194,8 @@ void add_segmentation_options(CLI::App& app, Segmentation_options& options)
 void add_output_options(CLI::App& app, Command_line& command_line)
 {
   std::string outputs = "write the segments, as the extension says; may be repeated;\n"
-                        "with %d or %03d in the name one mesh per segment; - is the standard output, in SEG";
+                        "with %d or %03d in the name one mesh per segment, in a folder that is made if it is not there, as\n"
+                        "no other is; - is the standard output, in SEG";
   for (const std::string& format : output_formats())
     outputs += "\n" + format;
   app.add_option("-o,--output", command_line.outputs, outputs)->allow_extra_args(false)->type_name("FILE");

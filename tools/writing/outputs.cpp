@@ -140,6 +140,14 @@ std::vector<std::string> output_formats()
   return result;
 }
 
+std::vector<std::string> output_extensions()
+{
+  std::vector<std::string> result;
+  for (const Format& format : formats())
+    result.push_back(format.extension);
+  return result;
+}
+
 bool holds_a_mesh(const std::string& name)
 {
   return find_format(name)->holds_a_mesh;

@@ -6,6 +6,7 @@
 
 #include "command_line/number.h"
 
+#include <iterator>
 #include <system_error>
 
 namespace tool
@@ -125,6 +126,17 @@ std::map<std::size_t, std::string> parts_in_place(const std::string& pattern)
     if (const auto segment = number_of_part(file_name(pattern), entry->path().filename().string()))
       parts[*segment] = name_of_part(pattern, *segment);
   return parts;
+}
+
+std::string note_on_further_parts(const std::string& pattern, std::size_t number_of_segments)
+{
+  const std::map<std::size_t, std::string> parts = parts_in_place(pattern);
+  const auto first = parts.lower_bound(number_of_segments);
+  const auto number = std::distance(first, parts.end());
+  if (number == 0)
+    return "";
+  return first->second + (number == 1 ? " is" : " to " + parts.rbegin()->second + ", " + std::to_string(number) + " files, are") +
+         " not of this run";
 }
 
 } // namespace tool

@@ -32,6 +32,9 @@ bool gives_part(const std::string& pattern, const std::string& name);
 // What is there of the files that the pattern gives, by their numbers.
 std::map<std::size_t, std::string> parts_in_place(const std::string& pattern);
 
+// Says which of them have numbers that no segment has, as those of an earlier run with more segments; empty if none.
+std::string note_on_further_parts(const std::string& pattern, std::size_t number_of_segments);
+
 // A name that both patterns give, for numbers that segments may have.
 std::optional<std::string> common_part(const std::string& pattern, const std::string& other);
 
