@@ -491,6 +491,10 @@ test_words()
   expect_one_line "incomplete_vertex.off: line 4: "
   expect 1 "$segment" "$data/word_for_number.stl"
   expect_one_line "word_for_number.stl: line 5: '1,0' is no coordinate"
+  expect 1 "$segment" "$data/solid_truncated_binary.stl"
+  expect_one_line "solid_truncated_binary.stl: announces 4 facets, and ends after 1"
+  expect 2 "$segment" $in --threads 5000000
+  expect_one_line "'5000000' is no number of threads, an integer from 1 to 1024"
   expect 1 "$segment" "$data/vertex_twice.ts"
   expect_one_line "vertex_twice.ts: line 5: there is a vertex 2 already"
   expect 1 "$segment" "$data/missing_vertex.ts"
@@ -529,6 +533,52 @@ test_sound_files()
   { head -n -"$faces" $in | sed "2s/.*/$((vertices + 1)) $faces 0/"; echo "7 7 7"; tail -n "$faces" $in; } >outputs/unused.off
   expect 0 "$segment" outputs/unused.off -k 4 -o outputs/unused.seg
   cmp -s outputs/unused.seg outputs/sound.seg || fail "$command: other labels than without the unused point"
+}
+
+# Names that are mistyped, or taken for something else.
+test_mistaken_names()
+{
+  local in=$data/tetrahedron.off name arguments
+  for name in missing missing/ missing.xyz missing/a.off; do
+    expect 1 "$segment" $name
+    expect_one_line "$name: cannot be opened: No such file or directory"
+  done
+  expect 1 "$segment" "$in" --tips outputs
+  expect_one_line "outputs: is a folder"
+  run "$segment" "$in" missing --output-folder mistaken
+  [ "$code" = 1 ] || fail "$command: a failure is not told by the exit code"
+  expect_text stderr "missing: cannot be opened: No such file or directory"
+  expect_files mistaken tetrahedron.seg tetrahedron.json
+  run "$segment" missing --output-folder mistaken/new
+  [ "$code" = 1 ] || fail "$command: a failure is not told by the exit code"
+  [ ! -e mistaken/new ] || fail "$command: made a folder for nothing"
+  cp "$in" mistaken/-dash.off
+  code=0 command="a name with a dash"
+  (cd mistaken && "$segment" -dash.off) >stdout 2>stderr && fail "is no option"
+  expect_one_line "; the file -dash.off is named by ./-dash.off"
+  (cd mistaken && "$segment" ./-dash.off && "$segment" -- -dash.off) >stdout 2>stderr || fail "is refused"
+  rm -r mistaken
+  for arguments in "$in --close faired -o %d.off" "--close faired $in -o %d.off" "--close faired -o %d.off"; do
+    # shellcheck disable=SC2086
+    expect 2 "$segment" $arguments
+    expect_one_line "'faired' is no mesh; caps are chosen by --close=faired"
+  done
+  expect 2 "$segment" "$in" --close %d.off
+  expect_one_line "'%d.off' is no mesh; an output is named by -o"
+}
+
+# Where the name has no extension, the format is found by how the file begins.
+test_nameless_files()
+{
+  local name
+  for name in tetrahedron.off tetrahedron.obj tetrahedron.ply tetrahedron.stl tetrahedron_binary.stl tetrahedron.ts \
+              tetrahedron.off.gz no_keyword.off; do
+    cp "$data/$name" outputs/nameless
+    expect 0 "$segment" outputs/nameless -k 2
+    expect 0 "$segment" <(cat "$data/$name") -k 2
+    command="$name as /dev/stdin"
+    "$segment" /dev/stdin -k 2 <"$data/$name" >stdout 2>stderr || fail "is refused"
+  done
 }
 
 # The same through pipes as by files; the format is found by how the file begins.
@@ -849,6 +899,8 @@ test_unwritable_outputs
 test_names_given_twice
 test_words
 test_sound_files
+test_mistaken_names
+test_nameless_files
 test_pipes
 test_3MF
 test_VTP

@@ -81,7 +81,8 @@ public:
       m_inputs.insert(place_of_file(mesh.input));
     check_outputs();
     for (const Mesh_in_collection& mesh : m_meshes)
-      make_folder(path(mesh, "json").parent_path());
+      if (is_there(mesh))
+        make_folder(path(mesh, "json").parent_path());
   }
 
   void segment_all()
@@ -110,16 +111,22 @@ private:
   // None of them may take the place of a mesh, or be taken for one the next time.
   void check_outputs() const
   {
-    std::error_code ignored;
     std::set<fs::path> folders;
-    for (const Mesh_in_collection& mesh : m_meshes)
-      folders.insert(fs::weakly_canonical(mesh.input, ignored).parent_path());
-    for (const std::string& format : m_command_line.formats)
+    for (const fs::path& input : m_inputs)
+      folders.insert(input.parent_path());
+    std::vector<std::string> extensions = m_command_line.formats;
+    extensions.push_back("json");
+    for (const std::string& extension : extensions)
       for (const Mesh_in_collection& mesh : m_meshes)
-        if (const fs::path output = path(mesh, format);
-            has_mesh_extension(output.string()) &&
-            folders.count(fs::weakly_canonical(output, ignored).parent_path()) > 0)
+        if (const fs::path output = path(mesh, extension), place = place_of_file(output.string());
+            m_inputs.count(place) > 0 || (has_mesh_extension(output.string()) && folders.count(place.parent_path()) > 0))
           throw Error(output.string(), "would be a mesh among those to be segmented; another --output-folder is needed");
+  }
+
+  static bool is_there(const Mesh_in_collection& mesh)
+  {
+    std::error_code ignored;
+    return fs::exists(mesh.input, ignored);
   }
 
   static void make_folder(const fs::path& folder)
@@ -231,13 +238,17 @@ private:
     return true;
   }
 
-  // The record says so, too; then it is tried again the next time.
+  // The record says so, too; then it is tried again the next time. Of a name that is no file, as of a slip, there is none.
   void fail(const Mesh_in_collection& mesh, const std::string& message)
   {
     ++m_number_of_failures;
-    std::string line = message;
-    if (const std::string others = note_on_other_files(mesh, {}); !others.empty())
-      line += "; " + others;
+    m_teller.tell(is_there(mesh) ? record_failure(mesh, message) : message, true);
+  }
+
+  // Returns what is to be told of it.
+  std::string record_failure(const Mesh_in_collection& mesh, const std::string& message) const
+  {
+    const std::string others = note_on_other_files(mesh, {}), line = message + (others.empty() ? "" : "; " + others);
     try
     {
       const Json record = {
@@ -246,9 +257,9 @@ private:
     }
     catch (const std::exception& error)
     {
-      line += std::string("; ") + error.what();
+      return line + "; " + error.what();
     }
-    m_teller.tell(line, true);
+    return line;
   }
 
   const Command_line& m_command_line;

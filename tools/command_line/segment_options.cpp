@@ -54,6 +54,23 @@ void check_meanings(const CLI::App& app, const std::vector<Choice>& choices, con
                                     (chosen.empty() ? "the default" : chosen) + ", only with " + choice.name);
 }
 
+// More of them would wait for each other, and the system refuses millions.
+constexpr std::size_t most_threads = 1024;
+
+// Words that belong to an option, and were taken for meshes.
+void check_inputs(const Command_line& command_line)
+{
+  std::error_code ignored;
+  for (const std::string& input : command_line.inputs)
+    if (!std::filesystem::exists(input, ignored))
+    {
+      if (!command_line.caps.empty() && (input == "flat" || input == "faired"))
+        throw std::invalid_argument("'" + input + "' is no mesh; caps are chosen by --close=" + input);
+      if (is_pattern(input))
+        throw std::invalid_argument("'" + input + "' is no mesh; an output is named by -o");
+    }
+}
+
 bool is_collection(const Command_line& command_line)
 {
   std::error_code ignored;
@@ -110,6 +127,8 @@ void check_names(const Command_line& command_line)
     if (!name.empty() && name != "-") // which may be an output besides
       names.push_back(name);
 
+  if (command_line.inputs.front() == "-" && command_line.tips == "-")
+    throw std::invalid_argument("'-' is named twice");
   std::set<std::string> places;
   for (const std::string& name : names)
     if (!places.insert(place_of(name)).second)
@@ -134,6 +153,7 @@ void check(const CLI::App& app, const Command_line& command_line)
     check_meanings(app, methods(), command_line.options.method);
     check_meanings(app, distances(), command_line.options.distance);
     check_options(command_line.options);
+    check_inputs(command_line);
     check_collection(app, command_line);
     check_outputs(command_line);
     check_names(command_line);
@@ -183,7 +203,7 @@ void add_segmentation_options(CLI::App& app, Segmentation_options& options)
     .add_option("--threads", options.threads,
                 std::string("that segment a mesh; the segments are the same with any number of them") +
                   (can_use_threads() ? "" : "; not here: oneTBB was not found when this program was built"))
-    ->transform(integer("number of threads", 1))
+    ->transform(integer("number of threads", 1, most_threads))
     ->type_name("N")
     ->capture_default_str();
   app.add_flag("--smooth-borders", options.are_borders_smooth,
@@ -250,6 +270,7 @@ void add_options(CLI::App& app, Command_line& command_line)
     .add_option("input", command_line.inputs,
                 "mesh: " + known_formats() +
                   ", each also compressed by gzip (.gz); - is the standard input;\n"
+                  "what has no extension is recognized by how it begins;\n"
                   "with --output-folder any number of meshes and of folders")
     ->required()
     ->type_name("");
