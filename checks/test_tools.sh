@@ -495,6 +495,16 @@ test_words()
   expect_one_line "solid_truncated_binary.stl: announces 4 facets, and ends after 1"
   expect 2 "$segment" $in --threads 5000000
   expect_one_line "'5000000' is no number of threads, an integer from 1 to 1024"
+  local keyword
+  for keyword in COFF NOFF STOFF NCOFF CSTOFF NSTOFF STNOFF NCSTOFF CNSTOFF STNCOFF; do
+    sed "1s/.*/$keyword/" "$data/tetrahedron.off" >outputs/keyword.off
+    expect 0 "$segment" outputs/keyword.off
+  done
+  for keyword in CCOFF NCNOFF STCSTOFF SOFF XOFF; do
+    sed "1s/.*/$keyword/" "$data/tetrahedron.off" >outputs/keyword.off
+    expect 1 "$segment" outputs/keyword.off
+    expect_one_line "'$keyword'"
+  done
   expect 1 "$segment" "$data/vertex_twice.ts"
   expect_one_line "vertex_twice.ts: line 5: there is a vertex 2 already"
   expect 1 "$segment" "$data/missing_vertex.ts"
