@@ -114,12 +114,11 @@ private:
     std::set<fs::path> folders;
     for (const fs::path& input : m_inputs)
       folders.insert(input.parent_path());
-    std::vector<std::string> extensions = m_command_line.formats;
-    extensions.push_back("json");
-    for (const std::string& extension : extensions)
+    for (const std::string& format : m_command_line.formats)
       for (const Mesh_in_collection& mesh : m_meshes)
-        if (const fs::path output = path(mesh, extension), place = place_of_file(output.string());
-            m_inputs.count(place) > 0 || (has_mesh_extension(output.string()) && folders.count(place.parent_path()) > 0))
+        if (const fs::path output = path(mesh, format);
+            has_mesh_extension(output.string()) &&
+            folders.count(place_of_file(output.string()).parent_path()) > 0)
           throw Error(output.string(), "would be a mesh among those to be segmented; another --output-folder is needed");
   }
 
@@ -156,7 +155,8 @@ private:
       if (const fs::path other = path(mesh, extension.substr(1));
           fs::exists(other, ignored) && known.count(place_of_file(other.string())) == 0)
         others += (number++ == 0 ? "" : ", ") + other.string();
-    return number == 0 ? "" : others + (number == 1 ? " is" : " are") + " of another run than " + path(mesh, "json").string();
+    return number == 0 ? ""
+                       : others + (number == 1 ? " is" : " are") + " of another run than " + path(mesh, "json").string();
   }
 
   // No exception leaves it. The text does not name the mesh.

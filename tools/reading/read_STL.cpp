@@ -49,7 +49,8 @@ bool begins_with_solid(const std::string& bytes)
   return word == "solid";
 }
 
-// Headers of binary files may begin with 'solid', too. Only these files have, behind the header, the zeros of a number below 2^24.
+// Headers of binary files may begin with 'solid', too. Only these files have, behind the header, the zeros of a number
+// below 2^24.
 bool has_binary_number(const std::string& bytes)
 {
   return bytes.size() >= facets_begin && bytes.find('\0', header_size) < facets_begin;

@@ -23,7 +23,7 @@ std::vector<std::string> output_formats();
 // ".seg" and so on, of the same formats
 std::vector<std::string> output_extensions();
 
-// Does a file of this name hold a mesh, or only the labels of the faces of the file that was read? Of a name that `check_output_name()` takes.
+// Does a file of this name hold a mesh, or only the labels of the faces of the file that was read?
 bool holds_a_mesh(const std::string& name);
 
 // Throws std::invalid_argument if no file can have this name: an unknown extension, or a "%d" where

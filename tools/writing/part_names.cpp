@@ -135,8 +135,9 @@ std::string note_on_further_parts(const std::string& pattern, std::size_t number
   const auto number = std::distance(first, parts.end());
   if (number == 0)
     return "";
-  return first->second + (number == 1 ? " is" : " to " + parts.rbegin()->second + ", " + std::to_string(number) + " files, are") +
-         " not of this run";
+  if (number == 1)
+    return first->second + " is not of this run";
+  return first->second + " to " + parts.rbegin()->second + ", " + std::to_string(number) + " files, are not of this run";
 }
 
 } // namespace tool
