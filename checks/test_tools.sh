@@ -429,6 +429,33 @@ test_unwritable_outputs()
   "$segment" "$in" >/dev/full 2>stderr && fail "standard output: a full one is no failure"
 }
 
+# No output takes the place of a file that is read, or of another output, by whatever name; nothing is done then.
+test_names_given_twice()
+{
+  mkdir -p names/parts
+  cp "$data/tetrahedron.off" names/0.off
+  echo '{"tips": [0]}' >names/tips.json
+  ln -s 0.off names/link.off
+  ln -s ../0.off names/parts/7.ply
+  local arguments
+  for arguments in "-o %d.off" "-o ./%d.off" "-o $PWD/names/%d.off" "-o link.off" "-o parts/%d.ply" \
+                   "--tips tips.json --json tips.json" "--tips tips.json --json ./tips.json" \
+                   "-o %d.ply --json 12.ply" "-o d%d.ply -o d0.ply" "-o d%03d.ply -o d1000.ply" "-o d%3d.ply -o ../names/d123.ply" \
+                   "-o d%d.ply -o d%02d.ply" "-o d%d.ply -o d1%d.ply" "-o 1%d.ply -o %d2.ply" \
+                   "-o new.ply -o ./new.ply" "-o new/a.ply -o new/../new/a.ply"; do
+    # shellcheck disable=SC2086
+    (cd names && timeout 60 "$segment" 0.off $arguments) >stdout 2>stderr
+    code=$? command="$arguments"
+    [ "$code" = 2 ] || fail "$command: exit code instead of 2"
+    expect_one_line "' is named twice"
+  done
+  expect_files names 0.off tips.json link.off parts parts/7.ply
+  cmp -s "$data/tetrahedron.off" names/0.off || fail "an input was written to"
+  # What only looks alike is another file.
+  expect 0 "$segment" names/0.off -k 2 -o names/d%d.off -o names/d%d.ply -o names/d00.off -o names/%02d.off -o names/parts/0.off
+  rm -r names
+}
+
 test_words()
 {
   local in=outputs/teddy.off words
@@ -464,6 +491,20 @@ test_words()
   expect_one_line "incomplete_vertex.off: line 4: "
   expect 1 "$segment" "$data/word_for_number.stl"
   expect_one_line "word_for_number.stl: line 5: '1,0' is no coordinate"
+  expect 1 "$segment" "$data/solid_truncated_binary.stl"
+  expect_one_line "solid_truncated_binary.stl: announces 4 facets, and ends after 1"
+  expect 2 "$segment" $in --threads 5000000
+  expect_one_line "'5000000' is no number of threads, an integer from 1 to 1024"
+  local keyword
+  for keyword in COFF NOFF STOFF NCOFF CSTOFF NSTOFF STNOFF NCSTOFF CNSTOFF STNCOFF; do
+    sed "1s/.*/$keyword/" "$data/tetrahedron.off" >outputs/keyword.off
+    expect 0 "$segment" outputs/keyword.off
+  done
+  for keyword in CCOFF NCNOFF STCSTOFF SOFF XOFF; do
+    sed "1s/.*/$keyword/" "$data/tetrahedron.off" >outputs/keyword.off
+    expect 1 "$segment" outputs/keyword.off
+    expect_one_line "'$keyword'"
+  done
   expect 1 "$segment" "$data/vertex_twice.ts"
   expect_one_line "vertex_twice.ts: line 5: there is a vertex 2 already"
   expect 1 "$segment" "$data/missing_vertex.ts"
@@ -502,6 +543,52 @@ test_sound_files()
   { head -n -"$faces" $in | sed "2s/.*/$((vertices + 1)) $faces 0/"; echo "7 7 7"; tail -n "$faces" $in; } >outputs/unused.off
   expect 0 "$segment" outputs/unused.off -k 4 -o outputs/unused.seg
   cmp -s outputs/unused.seg outputs/sound.seg || fail "$command: other labels than without the unused point"
+}
+
+# Names that are mistyped, or taken for something else.
+test_mistaken_names()
+{
+  local in=$data/tetrahedron.off name arguments
+  for name in missing missing/ missing.xyz missing/a.off; do
+    expect 1 "$segment" $name
+    expect_one_line "$name: cannot be opened: No such file or directory"
+  done
+  expect 1 "$segment" "$in" --tips outputs
+  expect_one_line "outputs: is a folder"
+  run "$segment" "$in" missing --output-folder mistaken
+  [ "$code" = 1 ] || fail "$command: a failure is not told by the exit code"
+  expect_text stderr "missing: cannot be opened: No such file or directory"
+  expect_files mistaken tetrahedron.seg tetrahedron.json
+  run "$segment" missing --output-folder mistaken/new
+  [ "$code" = 1 ] || fail "$command: a failure is not told by the exit code"
+  [ ! -e mistaken/new ] || fail "$command: made a folder for nothing"
+  cp "$in" mistaken/-dash.off
+  code=0 command="a name with a dash"
+  (cd mistaken && "$segment" -dash.off) >stdout 2>stderr && fail "is no option"
+  expect_one_line "; the file -dash.off is named by ./-dash.off"
+  (cd mistaken && "$segment" ./-dash.off && "$segment" -- -dash.off) >stdout 2>stderr || fail "is refused"
+  rm -r mistaken
+  for arguments in "$in --close faired -o %d.off" "--close faired $in -o %d.off" "--close faired -o %d.off"; do
+    # shellcheck disable=SC2086
+    expect 2 "$segment" $arguments
+    expect_one_line "'faired' is no mesh; caps are chosen by --close=faired"
+  done
+  expect 2 "$segment" "$in" --close %d.off
+  expect_one_line "'%d.off' is no mesh; an output is named by -o"
+}
+
+# Where the name has no extension, the format is found by how the file begins.
+test_nameless_files()
+{
+  local name
+  for name in tetrahedron.off tetrahedron.obj tetrahedron.ply tetrahedron.stl tetrahedron_binary.stl tetrahedron.ts \
+              tetrahedron.off.gz no_keyword.off; do
+    cp "$data/$name" outputs/nameless
+    expect 0 "$segment" outputs/nameless -k 2
+    expect 0 "$segment" <(cat "$data/$name") -k 2
+    command="$name as /dev/stdin"
+    "$segment" /dev/stdin -k 2 <"$data/$name" >stdout 2>stderr || fail "is refused"
+  done
 }
 
 # The same through pipes as by files; the format is found by how the file begins.
@@ -622,6 +709,48 @@ test_collection()
     expect 2 "$segment" meshes/a.off $options
   done
   expect 2 "$segment" meshes/a.off meshes/broken.off
+}
+
+# What an earlier run left beside the files of this one is told of, and not taken for a part of it.
+test_files_of_earlier_runs()
+{
+  expect 0 "$segment" outputs/teddy.off -k 4 -o earlier/%d.obj
+  [ -s stderr ] && fail "$command: a note without reason"
+  expect 0 "$segment" outputs/teddy.off -k 3 -o earlier/%d.obj
+  expect_one_line "earlier/3.obj is not of this run"
+  expect 0 "$segment" outputs/teddy.off -k 2 -o earlier/%d.obj
+  expect_one_line "earlier/2.obj to earlier/3.obj, 2 files, are not of this run"
+  expect_files earlier 0.obj 1.obj 2.obj 3.obj
+
+  mkdir earlier/in
+  cp outputs/teddy.off earlier/in/a.off
+  local call=("$segment" earlier/in --output-folder earlier/out)
+  expect 0 "${call[@]}" -k 3 --format ply --format seg
+  expect_text earlier/out/a.json '"ply"'
+  expect 0 "${call[@]}" -k 3 --format seg
+  expect_text stdout "1 already there"
+  [ -s stderr ] && fail "$command: a note on a file of the same segments"
+  for i in 1 2; do # done, and done already
+    expect 0 "${call[@]}" -k 2
+    expect_one_line "earlier/in/a.off: earlier/out/a.ply is of another run than earlier/out/a.json"
+  done
+  expect_text stdout "1 already there"
+  expect 0 "${call[@]}" -k 2 --quiet
+  [ -s stderr ] && fail "$command: is not quiet"
+  expect 0 "${call[@]}" -k 2 --format ply # which is there, of other segments
+  expect_text stdout "0 already there"
+  echo broken >earlier/in/a.off
+  touch -d "1 hour" earlier/in/a.off
+  run "${call[@]}" -k 2
+  [ "$code" = 1 ] || fail "$command: a failure is not told by the exit code"
+  expect_text stderr "; earlier/out/a.seg, earlier/out/a.ply are of another run than earlier/out/a.json"
+  expect_files earlier/out a.seg a.ply a.json
+  cp earlier/out/a.json records/of_earlier_run.json
+  # A mesh that lies beside its outputs is none of them.
+  cp outputs/teddy.off earlier/in/a.off
+  expect 0 "$segment" earlier/in/a.off --output-folder earlier/in
+  [ -s stderr ] && fail "$command: the mesh is taken for an output"
+  rm -r earlier
 }
 
 # A mesh whose process the system ends, here for want of time, has failed, and no other.
@@ -777,12 +906,16 @@ test_number_of_segments
 test_awkward_meshes
 test_awkward_segmentations
 test_unwritable_outputs
+test_names_given_twice
 test_words
 test_sound_files
+test_mistaken_names
+test_nameless_files
 test_pipes
 test_3MF
 test_VTP
 test_collection
+test_files_of_earlier_runs
 test_ended_process
 test_smooth_borders
 test_tips

@@ -14,6 +14,7 @@
 #include "command_line/tool_main.h"
 #include "segmentation/segment_file.h"
 #include "writing/outputs.h"
+#include "writing/part_names.h"
 #include "writing/write_output.h"
 
 #include <CLI/CLI.hpp>
@@ -33,11 +34,19 @@ void tell(const tool::Command_line& command_line, const std::string& text)
     std::cerr << program << ": " << command_line.inputs.front() << ": " << text << std::endl;
 }
 
+void tell_if_any(const tool::Command_line& command_line, const std::string& note)
+{
+  if (!note.empty())
+    tell(command_line, note);
+}
+
 void print_summary(const tool::Command_line& command_line, const tool::Findings& findings)
 {
-  if (!findings.note.empty())
-    tell(command_line, findings.note);
+  tell_if_any(command_line, findings.note);
   const auto& outputs = command_line.outputs;
+  for (const std::string& name : outputs)
+    if (tool::is_pattern(name))
+      tell_if_any(command_line, tool::note_on_further_parts(name, findings.segmentation.number_of_segments));
   if (command_line.json == "-" || std::find(outputs.begin(), outputs.end(), "-") != outputs.end())
     return; // nothing else shall be on the standard output
   std::cout << findings.input << ": " << tool::summary(findings) << "\n";

@@ -11,10 +11,13 @@
 #include "reading/read_soup.h"
 #include "segmentation/segment_file.h"
 #include "writing/json.h"
+#include "writing/outputs.h"
+#include "writing/part_names.h"
 #include "writing/write_output.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <exception>
 #include <filesystem>
@@ -43,8 +46,8 @@ public:
       m_bar(!is_quiet && is_standard_error_a_terminal())
   {}
 
-  // One mesh is done, and this is its line.
-  void tell(const std::string& line, bool is_error)
+  // One mesh is done, and this is its line; a warning has one of its own.
+  void tell(const std::string& line, bool is_error, const std::string& warning = "")
   {
     ++m_number_of_told;
     m_bar.clear();
@@ -54,6 +57,8 @@ public:
       std::cerr << place << line << std::endl;
     else if (!m_is_quiet)
       std::cout << place << line << std::endl;
+    if (!warning.empty() && !m_is_quiet)
+      std::cerr << place << warning << std::endl;
     m_bar.show(double(m_number_of_told) / double(m_number_of_meshes), place);
   }
 
@@ -72,9 +77,12 @@ public:
       m_meshes(list_meshes(command_line.inputs, command_line.output_folder)),
       m_teller(m_meshes.size(), command_line.is_quiet)
   {
+    for (const Mesh_in_collection& mesh : m_meshes)
+      m_inputs.insert(place_of_file(mesh.input));
     check_outputs();
     for (const Mesh_in_collection& mesh : m_meshes)
-      make_folder(path(mesh, "json").parent_path());
+      if (is_there(mesh))
+        make_folder(path(mesh, "json").parent_path());
   }
 
   void segment_all()
@@ -84,7 +92,7 @@ public:
       if (m_command_line.is_everything_done_again || !is_done(mesh))
         left.push_back(&mesh);
       else
-        m_teller.tell(mesh.input + ": already there", false);
+        tell_done(mesh, "already there", formats_in_record(mesh));
     m_number_of_skipped = m_meshes.size() - left.size();
     run_in_processes(left.size(), m_command_line.jobs, [&](std::size_t i) { return segment(*left[i]); },
                      [&](std::size_t i, const Outcome& outcome) { tell(*left[i], outcome); });
@@ -103,16 +111,21 @@ private:
   // None of them may take the place of a mesh, or be taken for one the next time.
   void check_outputs() const
   {
-    std::error_code ignored;
     std::set<fs::path> folders;
-    for (const Mesh_in_collection& mesh : m_meshes)
-      folders.insert(fs::weakly_canonical(mesh.input, ignored).parent_path());
+    for (const fs::path& input : m_inputs)
+      folders.insert(input.parent_path());
     for (const std::string& format : m_command_line.formats)
       for (const Mesh_in_collection& mesh : m_meshes)
         if (const fs::path output = path(mesh, format);
             has_mesh_extension(output.string()) &&
-            folders.count(fs::weakly_canonical(output, ignored).parent_path()) > 0)
+            folders.count(place_of_file(output.string()).parent_path()) > 0)
           throw Error(output.string(), "would be a mesh among those to be segmented; another --output-folder is needed");
+  }
+
+  static bool is_there(const Mesh_in_collection& mesh)
+  {
+    std::error_code ignored;
+    return fs::exists(mesh.input, ignored);
   }
 
   static void make_folder(const fs::path& folder)
@@ -128,6 +141,24 @@ private:
     return fs::path(m_command_line.output_folder) / (mesh.name + "." + extension);
   }
 
+  // What is there of the mesh in formats that its record does not go with, and could pass for segments that it tells of.
+  // Nothing of it is removed: who knows whose it is?
+  std::string note_on_other_files(const Mesh_in_collection& mesh, const std::vector<std::string>& formats) const
+  {
+    std::set<fs::path> known = m_inputs;
+    for (const std::string& format : formats)
+      known.insert(place_of_file(path(mesh, format).string()));
+    std::error_code ignored;
+    std::string others;
+    std::size_t number = 0;
+    for (const std::string& extension : output_extensions())
+      if (const fs::path other = path(mesh, extension.substr(1));
+          fs::exists(other, ignored) && known.count(place_of_file(other.string())) == 0)
+        others += (number++ == 0 ? "" : ", ") + other.string();
+    return number == 0 ? ""
+                       : others + (number == 1 ? " is" : " are") + " of another run than " + path(mesh, "json").string();
+  }
+
   // No exception leaves it. The text does not name the mesh.
   Outcome segment(const Mesh_in_collection& mesh) const
   {
@@ -135,6 +166,7 @@ private:
     {
       Findings findings = segment_file(mesh.input, m_command_line.options, {},
                                        [](const std::string&) {});
+      findings.formats = m_command_line.formats;
       Output_names names;
       for (const std::string& format : m_command_line.formats)
         names.segments.push_back(path(mesh, format).string());
@@ -155,11 +187,34 @@ private:
 
   void tell(const Mesh_in_collection& mesh, const Outcome& outcome)
   {
-    const std::string line = mesh.input + ": " + outcome.text;
     if (outcome.is_failure)
-      fail(mesh, line);
+      fail(mesh, mesh.input + ": " + outcome.text);
     else
-      m_teller.tell(line, false);
+      tell_done(mesh, outcome.text, m_command_line.formats);
+  }
+
+  void tell_done(const Mesh_in_collection& mesh, const std::string& text, const std::vector<std::string>& formats)
+  {
+    const std::string others = note_on_other_files(mesh, formats), name = mesh.input + ": ";
+    m_teller.tell(name + text, false, others.empty() ? "" : name + others);
+  }
+
+  Json record_of(const Mesh_in_collection& mesh) const
+  {
+    std::ifstream in(path(mesh, "json"));
+    const Json record = Json::parse(in, nullptr, false);
+    return record.is_object() ? record : Json::object();
+  }
+
+  // Those that were written with it; what else lies there may be of other segments.
+  std::vector<std::string> formats_in_record(const Mesh_in_collection& mesh) const
+  {
+    const Json record = record_of(mesh);
+    std::vector<std::string> formats;
+    for (const Json& format : record.value("formats", Json::array()))
+      if (format.is_string())
+        formats.push_back(format.get<std::string>());
+    return formats;
   }
 
   // Was it segmented with the same options after the mesh was written? The record is the last of its files that appears.
@@ -169,13 +224,12 @@ private:
     const auto written = fs::last_write_time(path(mesh, "json"), error);
     if (error || fs::last_write_time(mesh.input, error) > written || error)
       return false;
+    const std::vector<std::string> formats = formats_in_record(mesh);
     for (const std::string& format : m_command_line.formats)
-      if (!fs::exists(path(mesh, format), error))
+      if (std::find(formats.begin(), formats.end(), format) == formats.end() || !fs::exists(path(mesh, format), error))
         return false;
-    std::ifstream in(path(mesh, "json"));
-    const Json record = Json::parse(in, nullptr, false);
-    if (!record.is_object() || record.value("format_version", 0) != json_format_version ||
-        record.contains("error"))
+    const Json record = record_of(mesh);
+    if (record.value("format_version", 0) != json_format_version || record.contains("error"))
       return false;
     const Json options = describe(m_command_line.options);
     for (const auto& [key, value] : options.items())
@@ -184,26 +238,33 @@ private:
     return true;
   }
 
-  // The record says so, too; then it is tried again the next time.
+  // The record says so, too; then it is tried again the next time. Of a name that is no file, as of a slip, there is none.
   void fail(const Mesh_in_collection& mesh, const std::string& message)
   {
     ++m_number_of_failures;
-    std::string line = message;
+    m_teller.tell(is_there(mesh) ? record_failure(mesh, message) : message, true);
+  }
+
+  // Returns what is to be told of it.
+  std::string record_failure(const Mesh_in_collection& mesh, const std::string& message) const
+  {
+    const std::string others = note_on_other_files(mesh, {}), line = message + (others.empty() ? "" : "; " + others);
     try
     {
       const Json record = {
-        {"format_version", json_format_version}, {"input", mesh.input}, {"error", message}};
+        {"format_version", json_format_version}, {"input", mesh.input}, {"error", line}};
       write_output(path(mesh, "json").string(), [&](std::ostream& out) { write_json(out, record); });
     }
     catch (const std::exception& error)
     {
-      line += std::string("; ") + error.what();
+      return line + "; " + error.what();
     }
-    m_teller.tell(line, true);
+    return line;
   }
 
   const Command_line& m_command_line;
   std::vector<Mesh_in_collection> m_meshes;
+  std::set<fs::path> m_inputs; // their places
   Teller m_teller;
   std::size_t m_number_of_failures = 0;
   std::size_t m_number_of_skipped = 0;

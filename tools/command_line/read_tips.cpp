@@ -5,10 +5,9 @@
 #include "command_line/read_tips.h"
 
 #include "command_line/Error.h"
+#include "reading/read_bytes.h"
 
 #include <nlohmann/json.hpp>
-
-#include <fstream>
 
 namespace tool
 {
@@ -16,10 +15,7 @@ namespace tool
 std::vector<std::size_t> read_tips(const std::string& file)
 {
   using Json = nlohmann::json;
-  std::ifstream in(file);
-  if (!in)
-    throw Error(file, "cannot be opened");
-  const Json content = Json::parse(in, nullptr, false);
+  const Json content = Json::parse(read_bytes(file), nullptr, false);
   if (content.is_discarded())
     throw Error(file, "is no JSON");
   if (!content.is_object() || !content.contains("tips") || !content["tips"].is_array())

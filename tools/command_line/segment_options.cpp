@@ -10,6 +10,7 @@
 #include "report/report.h"
 #include "segmentation/segment.h"
 #include "writing/outputs.h"
+#include "writing/part_names.h"
 
 #include <CLI/CLI.hpp>
 
@@ -53,6 +54,23 @@ void check_meanings(const CLI::App& app, const std::vector<Choice>& choices, con
                                     (chosen.empty() ? "the default" : chosen) + ", only with " + choice.name);
 }
 
+// More of them would wait for each other, and the system refuses millions.
+constexpr std::size_t most_threads = 1024;
+
+// Words that belong to an option, and were taken for meshes.
+void check_inputs(const Command_line& command_line)
+{
+  std::error_code ignored;
+  for (const std::string& input : command_line.inputs)
+    if (!std::filesystem::exists(input, ignored))
+    {
+      if (!command_line.caps.empty() && (input == "flat" || input == "faired"))
+        throw std::invalid_argument("'" + input + "' is no mesh; caps are chosen by --close=" + input);
+      if (is_pattern(input))
+        throw std::invalid_argument("'" + input + "' is no mesh; an output is named by -o");
+    }
+}
+
 bool is_collection(const Command_line& command_line)
 {
   std::error_code ignored;
@@ -80,26 +98,50 @@ void check_collection(const CLI::App& app, const Command_line& command_line)
       throw std::invalid_argument("the standard input is one mesh, which needs no --output-folder");
 }
 
-void check_names(const Command_line& command_line)
+void check_outputs(const Command_line& command_line)
 {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  std::set<fs::path> seen;
-  if (const std::string& input = command_line.inputs.front(); input != "-")
-    seen.insert(fs::weakly_canonical(input, ignored));
-  std::vector<std::string> all = command_line.outputs;
-  for (const std::string& name : all)
+  const std::vector<std::string>& outputs = command_line.outputs;
+  for (const std::string& name : outputs)
     check_output_name(name);
-  if (!command_line.caps.empty() && std::none_of(all.begin(), all.end(), is_pattern))
+  if (!command_line.caps.empty() && std::none_of(outputs.begin(), outputs.end(), is_pattern))
     throw std::invalid_argument("--close has no meaning without a %d in the name of an output");
   if (!command_line.borders.empty() && lower_case_extension(command_line.borders) != ".vtp")
     throw std::invalid_argument("--borders: '" + command_line.borders + "' has not the extension .vtp");
+}
+
+std::string place_of(const std::string& name)
+{
+  return name == "-" ? name : place_of_file(name).string();
+}
+
+// No file may be written twice, or take the place of one that is read, by whatever names.
+void check_names(const Command_line& command_line)
+{
+  std::vector<std::string> names, patterns;
+  for (const std::string& name : command_line.outputs)
+    (is_pattern(name) ? patterns : names).push_back(name);
   for (const std::string& name : {command_line.json, command_line.report, command_line.borders})
     if (!name.empty())
-      all.push_back(name);
-  for (const std::string& name : all)
-    if (!seen.insert(name == "-" ? fs::path(name) : fs::weakly_canonical(name, ignored)).second)
+      names.push_back(name);
+  for (const std::string& name : {command_line.inputs.front(), command_line.tips})
+    if (!name.empty() && name != "-") // which may be an output besides
+      names.push_back(name);
+
+  if (command_line.inputs.front() == "-" && command_line.tips == "-")
+    throw std::invalid_argument("'-' is named twice");
+  std::set<std::string> places;
+  for (const std::string& name : names)
+    if (!places.insert(place_of(name)).second)
       throw std::invalid_argument("'" + name + "' is named twice");
+  for (std::size_t i = 0; i < patterns.size(); ++i)
+  {
+    for (const std::string& name : names)
+      if (name != "-" && gives_part(patterns[i], name))
+        throw std::invalid_argument("'" + name + "' is named twice: '" + patterns[i] + "' can give it, too");
+    for (std::size_t j = 0; j < i; ++j)
+      if (const auto name = common_part(patterns[j], patterns[i]))
+        throw std::invalid_argument("'" + *name + "' is named twice: by '" + patterns[j] + "' and '" + patterns[i] + "'");
+  }
 }
 
 constexpr const char* no_report = "three.js was not found when this program was built";
@@ -111,7 +153,9 @@ void check(const CLI::App& app, const Command_line& command_line)
     check_meanings(app, methods(), command_line.options.method);
     check_meanings(app, distances(), command_line.options.distance);
     check_options(command_line.options);
+    check_inputs(command_line);
     check_collection(app, command_line);
+    check_outputs(command_line);
     check_names(command_line);
     if (!command_line.report.empty() && !can_write_report())
       throw std::invalid_argument(std::string("--report: ") + no_report);
@@ -159,7 +203,7 @@ void add_segmentation_options(CLI::App& app, Segmentation_options& options)
     .add_option("--threads", options.threads,
                 std::string("that segment a mesh; the segments are the same with any number of them") +
                   (can_use_threads() ? "" : "; not here: oneTBB was not found when this program was built"))
-    ->transform(integer("number of threads", 1))
+    ->transform(integer("number of threads", 1, most_threads))
     ->type_name("N")
     ->capture_default_str();
   app.add_flag("--smooth-borders", options.are_borders_smooth,
@@ -170,7 +214,8 @@ void add_segmentation_options(CLI::App& app, Segmentation_options& options)
 void add_output_options(CLI::App& app, Command_line& command_line)
 {
   std::string outputs = "write the segments, as the extension says; may be repeated;\n"
-                        "with %d or %03d in the name one mesh per segment; - is the standard output, in SEG";
+                        "with %d or %03d in the name one mesh per segment, in a folder that is made if it is not there, as\n"
+                        "no other is; - is the standard output, in SEG";
   for (const std::string& format : output_formats())
     outputs += "\n" + format;
   app.add_option("-o,--output", command_line.outputs, outputs)->allow_extra_args(false)->type_name("FILE");
@@ -225,6 +270,7 @@ void add_options(CLI::App& app, Command_line& command_line)
     .add_option("input", command_line.inputs,
                 "mesh: " + known_formats() +
                   ", each also compressed by gzip (.gz); - is the standard input;\n"
+                  "what has no extension is recognized by how it begins;\n"
                   "with --output-folder any number of meshes and of folders")
     ->required()
     ->type_name("");

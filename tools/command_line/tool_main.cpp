@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 
 namespace tool
 {
@@ -23,6 +25,16 @@ int report(const std::string& program, const std::string& message, int exit_code
   std::replace(line.begin(), line.end(), '\n', ' ');
   std::cerr << line << std::endl;
   return exit_code;
+}
+
+// A file whose name begins with a dash is taken for options.
+std::string hint_at_dash(int argc, char** argv)
+{
+  std::error_code ignored;
+  for (int i = 1; i < argc; ++i)
+    if (const std::string word = argv[i]; word.size() > 1 && word[0] == '-' && std::filesystem::exists(word, ignored))
+      return "; the file " + word + " is named by ./" + word;
+  return "";
 }
 
 } // namespace
@@ -39,7 +51,7 @@ int main(CLI::App& app, int argc, char** argv, const std::function<void()>& run)
   }
   catch (const CLI::ParseError& error)
   {
-    return report(app.get_name(), std::string(error.what()) + " (see --help)", bad_usage);
+    return report(app.get_name(), error.what() + hint_at_dash(argc, argv) + " (see --help)", bad_usage);
   }
 
   try

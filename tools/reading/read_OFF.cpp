@@ -23,7 +23,7 @@ namespace tool
 namespace
 {
 
-// [ST][C][N][4][n]OFF: what vertices carry
+// [ST][C][N][4][n]OFF: what vertices carry. MeshLab writes the first three in another order, as in NCSTOFF.
 struct Keyword
 {
   bool has_textures = false;
@@ -44,9 +44,12 @@ struct Keyword
       rest.remove_prefix(is_there ? part.size() : 0);
       return is_there;
     };
-    keyword.has_textures = take_part("ST");
-    keyword.has_colors = take_part("C");
-    keyword.has_normals = take_part("N");
+    for (int i = 0; i < 3; ++i) // each once
+    {
+      keyword.has_textures = keyword.has_textures || take_part("ST");
+      keyword.has_colors = keyword.has_colors || take_part("C");
+      keyword.has_normals = keyword.has_normals || take_part("N");
+    }
     keyword.is_homogeneous = take_part("4");
     keyword.has_dimension = take_part("n");
     keyword.is_there = take_part("OFF") || take_part("off");

@@ -49,6 +49,13 @@ bool begins_with_solid(const std::string& bytes)
   return word == "solid";
 }
 
+// Headers of binary files may begin with 'solid', too. Only these files have, behind the header, the zeros of a number
+// below 2^24.
+bool has_binary_number(const std::string& bytes)
+{
+  return bytes.size() >= facets_begin && bytes.find('\0', header_size) < facets_begin;
+}
+
 void check_coordinates(const std::string& bytes, std::size_t facet)
 {
   std::array<float, 9> coordinates;
@@ -192,7 +199,7 @@ bool is_binary_STL(const std::string& bytes)
 
 Polygon_soup read_STL(const std::string& bytes)
 {
-  if (is_binary_STL(bytes) || !begins_with_solid(bytes))
+  if (is_binary_STL(bytes) || !begins_with_solid(bytes) || has_binary_number(bytes))
     return read_binary(bytes);
   Polygon_soup soup;
   STL_normalizer(bytes).text().read_by([&](std::istream& in)

@@ -16,8 +16,10 @@
 #include <cmath>
 #include <cstddef>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace tool
@@ -60,7 +62,7 @@ const Format* find_format(const std::string& extension)
   return nullptr;
 }
 
-// Of what comes through a pipe.
+// Of what comes without a name that tells, as through a pipe.
 std::string extension_of_content(const std::string& bytes)
 {
   Lines lines(bytes);
@@ -112,12 +114,10 @@ bool is_UTF_16(const std::string& bytes)
 
 Polygon_soup read_checked(const std::string& file_name)
 {
-  std::string extension = extension_of(file_name);
   const std::string bytes = read_bytes(file_name);
   if (is_UTF_16(bytes))
     throw Format_error("is text in UTF-16; mesh files are in ASCII or UTF-8");
-  if (file_name == "-")
-    extension = extension_of_content(bytes);
+  const std::string name = extension_of(file_name), extension = name.empty() ? extension_of_content(bytes) : name;
   const Format* format = find_format(extension);
   if (format == nullptr)
     throw Format_error("is in the format " + extension.substr(1) + ", which was not built in (known are " +
@@ -125,6 +125,23 @@ Polygon_soup read_checked(const std::string& file_name)
   const Polygon_soup soup = format->read(bytes);
   check(soup);
   return soup;
+}
+
+// Refuses a name that tells of no format, before much is read. That there is no such file is for the reader to tell.
+void check_name(const std::string& file_name)
+{
+  const std::string extension = extension_of(file_name);
+  std::error_code ignored;
+  if (extension.empty() || find_format(extension) != nullptr || !std::filesystem::exists(file_name, ignored))
+    return;
+  const std::string known = " (known are " + known_formats() + ")";
+  if (extension == ".3mf")
+    throw Error(file_name,
+                "is 3MF, which is read only where lib3mf was found when this program was built" + known);
+  if (extension == ".vtp")
+    throw Error(file_name,
+                "is VTP, which is read only where VTK was found when this program was built" + known);
+  throw Error(file_name, "is in no known format" + known);
 }
 
 } // namespace
@@ -142,24 +159,9 @@ bool has_mesh_extension(const std::string& file_name)
   return find_format(extension_of(file_name)) != nullptr;
 }
 
-void check_mesh_name(const std::string& file_name)
-{
-  const std::string extension = extension_of(file_name);
-  if (file_name == "-" || find_format(extension) != nullptr)
-    return;
-  const std::string known = " (known are " + known_formats() + ")";
-  if (extension == ".3mf")
-    throw Error(file_name,
-                "is 3MF, which is read only where lib3mf was found when this program was built" + known);
-  if (extension == ".vtp")
-    throw Error(file_name,
-                "is VTP, which is read only where VTK was found when this program was built" + known);
-  throw Error(file_name, "is in no known format" + known);
-}
-
 Polygon_soup read_soup(const std::string& file_name)
 {
-  check_mesh_name(file_name);
+  check_name(file_name);
   try
   {
     return read_checked(file_name);

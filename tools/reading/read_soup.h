@@ -19,12 +19,9 @@ std::string known_formats();
 // Is the extension one of these, before a ".gz" or not?
 bool has_mesh_extension(const std::string& file_name);
 
-// Throws an `Error` if nothing of this name can be read: the extension is that of no format.
-void check_mesh_name(const std::string& file_name);
-
 // Reads the faces of a file, all and in their order, in the format that the extension of the name says; or throws
-// an `Error`. The name "-" is the standard input, whose format is recognized by how it begins. Corners exist, and
-// coordinates are finite.
+// an `Error`. Without an extension, the format is recognized by how the file begins; the name "-" is the standard input.
+// Corners exist, and coordinates are finite.
 Polygon_soup read_soup(const std::string& file_name);
 
 } // namespace tool

@@ -56,6 +56,8 @@ struct Findings
   std::optional<Smoothed_mesh> smoothed; // of the mesh, if that was asked for
   std::string note; // empty, or why there are not as many segments as were asked for
 
+  std::vector<std::string> formats; // of the segments of a collection, which are known by their names alone
+
   // Unset until the segments and the report are written.
   std::optional<double> seconds_for_writing;
 

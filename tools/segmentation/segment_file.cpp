@@ -15,6 +15,7 @@
 #include "writing/faired_parts.h"
 #include "writing/json.h"
 #include "writing/outputs.h"
+#include "writing/part_names.h"
 
 #include <nlohmann/json.hpp>
 

@@ -7,10 +7,10 @@
 #include "reading/lower_case_extension.h"
 #include "writing/glb.h"
 #include "writing/palette.h"
+#include "writing/part_names.h"
 #include "writing/ply.h"
 #include "writing/vtp.h"
 
-#include <filesystem>
 #include <map>
 #include <stdexcept>
 
@@ -92,38 +92,6 @@ const Format* find_format(const std::string& name)
   return nullptr;
 }
 
-// Where a name has a number: "%d", or as in "%03d" with a width.
-struct Placeholder
-{
-  std::size_t begin = std::string::npos;
-  std::size_t size = 0;
-  std::size_t width = 0;
-  char fill = ' ';
-};
-
-Placeholder find_placeholder(const std::string& name, std::size_t from = 0)
-{
-  for (std::size_t begin = name.find('%', from); begin != std::string::npos;
-       begin = name.find('%', begin + 1))
-  {
-    const std::size_t end = name.find_first_not_of("0123456789", begin + 1);
-    const std::string digits = name.substr(begin + 1, end - begin - 1);
-    if (end != std::string::npos && name[end] == 'd' && digits.size() <= 2)
-      return {begin, end + 1 - begin, digits.empty() ? 0 : std::stoul(digits),
-              digits.front() == '0' ? '0' : ' '};
-  }
-  return {};
-}
-
-std::string name_of_part(std::string pattern, std::size_t segment)
-{
-  const Placeholder placeholder = find_placeholder(pattern);
-  std::string number = std::to_string(segment);
-  number.insert(0, placeholder.width > number.size() ? placeholder.width - number.size() : 0,
-                placeholder.fill);
-  return pattern.replace(placeholder.begin, placeholder.size, number);
-}
-
 // The faces of one segment, with the points that they need.
 Segmented_soup part_of(const Segmented_soup& whole, const std::vector<std::size_t>& faces)
 {
@@ -172,9 +140,12 @@ std::vector<std::string> output_formats()
   return result;
 }
 
-bool is_pattern(const std::string& name)
+std::vector<std::string> output_extensions()
 {
-  return find_placeholder(name).size > 0;
+  std::vector<std::string> result;
+  for (const Format& format : formats())
+    result.push_back(format.extension);
+  return result;
 }
 
 bool holds_a_mesh(const std::string& name)
@@ -197,8 +168,7 @@ void check_output_name(const std::string& name)
   if (!format->holds_a_mesh)
     throw std::invalid_argument("-o: '" + name + "' has a %d, but " + format->extension +
                                 " files are of the whole mesh");
-  if (find_placeholder(name, find_placeholder(name).begin + 1).size > 0 ||
-      is_pattern(std::filesystem::path(name).parent_path().string()))
+  if (!is_valid_pattern(name))
     throw std::invalid_argument("-o: '" + name + "' has a %d elsewhere than once in the file's name");
 }
 

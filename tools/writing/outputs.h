@@ -20,10 +20,10 @@ namespace tool
 // "name: description" of every format, chosen by the extension of a name.
 std::vector<std::string> output_formats();
 
-// Does the name have a "%d", or a "%03d", for a file per segment?
-bool is_pattern(const std::string& name);
+// ".seg" and so on, of the same formats
+std::vector<std::string> output_extensions();
 
-// Or only the labels of the faces of the file that was read?
+// Does a file of this name hold a mesh, or only the labels of the faces of the file that was read?
 bool holds_a_mesh(const std::string& name);
 
 // Throws std::invalid_argument if no file can have this name: an unknown extension, or a "%d" where

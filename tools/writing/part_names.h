@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Names with a "%d", or a "%03d", for a file per segment.
+
+#ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_PART_NAMES_H
+#define PROTRUSION_SEGMENTATION_TOOLS_WRITING_PART_NAMES_H
+
+#include <cstddef>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace tool
+{
+
+bool is_pattern(const std::string& name);
+
+// Is the number there once, and in the name of the file, not in that of its folder?
+bool is_valid_pattern(const std::string& name);
+
+std::string name_of_part(const std::string& pattern, std::size_t segment);
+
+// Where a file is, or would be, whatever it is called: links are followed, also those of folders that are there.
+std::filesystem::path place_of_file(const std::string& name);
+
+// Is the file what the pattern gives for some number, by its name or by a link that is there?
+bool gives_part(const std::string& pattern, const std::string& name);
+
+// What is there of the files that the pattern gives, by their numbers.
+std::map<std::size_t, std::string> parts_in_place(const std::string& pattern);
+
+// Says which of them have numbers that no segment has, as those of an earlier run with more segments; empty if none.
+std::string note_on_further_parts(const std::string& pattern, std::size_t number_of_segments);
+
+// A name that both patterns give, for numbers that segments may have.
+std::optional<std::string> common_part(const std::string& pattern, const std::string& other);
+
+} // namespace tool
+
+#endif // PROTRUSION_SEGMENTATION_TOOLS_WRITING_PART_NAMES_H
