@@ -16,10 +16,13 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -72,15 +75,38 @@ Test_mesh to_soup(const Mesh& mesh)
   return soup;
 }
 
-double length_of_borders(const Mesh& mesh, const Labels& labels)
+using Lengths = std::map<std::array<std::size_t, 2>, double>; // of the border between any two segments
+
+Lengths border_lengths(const Mesh& mesh, const Labels& labels)
 {
   std::vector<CGAL::Protrusion_segmentation::Segment_border<Mesh::Point>> borders;
   CGAL::segment_borders(mesh, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh)),
                         std::back_inserter(borders));
-  double sum = 0;
+  Lengths lengths;
   for (const auto& border : borders)
-    sum += border.length;
+    lengths[border.segments] += border.length;
+  return lengths;
+}
+
+double length_of_borders(const Mesh& mesh, const Labels& labels)
+{
+  double sum = 0;
+  for (const auto& [segments, length] : border_lengths(mesh, labels))
+    sum += length;
   return sum;
+}
+
+void check_no_border_is_worse(const Lengths& before, const Lengths& after)
+{
+  for (const auto& [segments, length] : after)
+  {
+    const auto old = before.find(segments);
+    const std::string name = std::to_string(segments[0]) + "-" + std::to_string(segments[1]);
+    check::report(old != before.end(), __FILE__, __LINE__, name + " did not touch before");
+    if (old != before.end())
+      check::report(length <= (1 + 1e-8) * old->second, __FILE__, __LINE__,
+                    name + " gets longer, times " + std::to_string(length / old->second));
+  }
 }
 
 // What holds for every result: the same surface, in pieces of its faces, with the same segments.
@@ -111,6 +137,7 @@ Smoothed checked(const Test_mesh& soup, const Labels& labels, unsigned int round
   CHECK(std::set<std::size_t>(labels.begin(), labels.end()) ==
         std::set<std::size_t>(result.segments.begin(), result.segments.end()));
   CHECK_EQUAL(number_of_pieces(pieces, result.segments), number_of_pieces(soup, labels));
+  check_no_border_is_worse(border_lengths(to_graph<Mesh>(soup), labels), border_lengths(result.mesh, result.segments));
   return result;
 }
 
@@ -159,19 +186,26 @@ void a_border_around_a_ball_becomes_a_circle()
   CHECK_CLOSE(length_of_borders(result.mesh, result.segments), circle, 0.03 * circle);
 }
 
+// Of equal angles around the axis.
+Labels sectors(const Test_mesh& soup, int number)
+{
+  Labels labels;
+  for (const Face& face : soup.faces)
+  {
+    const Point c = centroid(soup, face);
+    labels.push_back(std::min<std::size_t>(std::size_t(number) - 1,
+                                           std::size_t((std::atan2(c[1], c[0]) / pi + 1) / 2 * number)));
+  }
+  return labels;
+}
+
 // Three segments and six, which meet at the poles.
 void segments_may_meet_in_a_point()
 {
   for (const Test_mesh& soup : {icosphere(4), rotated(icosphere(3), {1, 2, 3}, 0.7), triangulated(uv_sphere()), uv_sphere()})
     for (const int number : {3, 6})
     {
-      Labels labels;
-      for (const Face& face : soup.faces)
-      {
-        const Point c = centroid(soup, face);
-        labels.push_back(std::min<std::size_t>(std::size_t(number) - 1,
-                                               std::size_t((std::atan2(c[1], c[0]) / pi + 1) / 2 * number)));
-      }
+      const Labels labels = sectors(soup, number);
       const Smoothed result = checked(soup, labels);
       const double ratio = length_of_borders(result.mesh, result.segments) /
                            length_of_borders(to_graph<Mesh>(soup), labels);
@@ -180,6 +214,93 @@ void segments_may_meet_in_a_point()
                     std::to_string(number) + " segments, " + std::to_string(soup.faces.size()) +
                       " faces: borders get longer, times " + std::to_string(ratio));
     }
+}
+
+// For every face the nearest of some seeds, to which distances are wrong by up to a deviation: ragged.
+Labels patches(const Test_mesh& soup, std::size_t number, double deviation, unsigned int seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> noise(-deviation, deviation);
+  std::vector<Point> seeds;
+  while (seeds.size() < number)
+    seeds.push_back(centroid(soup, soup.faces[random() % soup.faces.size()]));
+  Labels labels;
+  for (const Face& face : soup.faces)
+  {
+    const Point c = centroid(soup, face);
+    std::vector<double> distances;
+    for (const Point& point : seeds)
+      distances.push_back(std::hypot(c[0] - point[0], c[1] - point[1], c[2] - point[2]) + noise(random));
+    labels.push_back(std::size_t(std::min_element(distances.begin(), distances.end()) - distances.begin()));
+  }
+  return labels;
+}
+
+// Smoothing moves the points where three patches meet, and with them the ends of borders that had better stay.
+void borders_of_patches_get_no_longer()
+{
+  for (unsigned int seed = 1; seed <= 12; ++seed)
+    for (const double deviation : {0., 0.04})
+      for (const unsigned int rounds : {1, 3, 20})
+      {
+        const Test_mesh soup = icosphere(3);
+        const Labels labels = patches(soup, 4 + seed % 9, deviation, seed);
+        const Smoothed result = checked(soup, labels, rounds);
+        if (deviation == 0 && rounds == 3) // most of the raggedness goes all the same
+          CHECK(length_of_borders(result.mesh, result.segments) <
+                0.9 * length_of_borders(to_graph<Mesh>(soup), labels));
+      }
+}
+
+// Four segments meet at every inner vertex of these borders. Those across from each other must not touch.
+void segments_across_a_crossing_do_not_touch()
+{
+  const Test_mesh soup = triangulated(sheet(20, 20));
+  Labels labels;
+  for (const Face& face : soup.faces)
+    labels.push_back((centroid(soup, face)[0] > 10 ? 1 : 0) + (centroid(soup, face)[1] > 10 ? 2 : 0));
+  checked(soup, labels);
+  for (const int number : {4, 6})
+    for (const unsigned int rounds : {1, 3, 20})
+      checked(triangulated(uv_sphere()), sectors(triangulated(uv_sphere()), number), rounds);
+}
+
+// A straight border on which a slanting one ends: its end would be drawn along, and bend the straight one.
+void a_straight_border_is_not_bent()
+{
+  const Test_mesh soup = triangulated(sheet(20, 20));
+  Labels labels;
+  for (const Face& face : soup.faces)
+  {
+    const Point c = centroid(soup, face);
+    labels.push_back(c[1] > 10 ? 2 : 2 * c[0] > c[1] + 10 ? 1 : 0);
+  }
+  const Smoothed result = checked(soup, labels);
+  CHECK(length_of_borders(result.mesh, result.segments) < 0.99 * length_of_borders(to_graph<Mesh>(soup), labels));
+}
+
+void the_order_of_faces_does_not_matter()
+{
+  for (unsigned int seed = 1; seed <= 4; ++seed)
+  {
+    const Test_mesh soup = icosphere(3);
+    const Labels labels = patches(soup, 7, 0.04, seed);
+    std::vector<std::size_t> order(soup.faces.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::shuffle(order.begin(), order.end(), std::mt19937(seed));
+    Test_mesh shuffled = soup;
+    Labels shuffled_labels;
+    for (std::size_t f = 0; f < order.size(); ++f)
+    {
+      shuffled.faces[f] = soup.faces[order[f]];
+      shuffled_labels.push_back(labels[order[f]]);
+    }
+    const Smoothed one = checked(soup, labels), other = checked(shuffled, shuffled_labels);
+    CHECK_EQUAL(one.number_of_fixed_segments, other.number_of_fixed_segments);
+    Lengths others = border_lengths(other.mesh, other.segments);
+    for (const auto& [segments, length] : border_lengths(one.mesh, one.segments))
+      CHECK_CLOSE(others[segments], length, 1e-9 * length);
+  }
 }
 
 void polygons_are_cut()
@@ -322,6 +443,10 @@ int main()
   a_border_around_a_cylinder_becomes_a_circle();
   a_border_around_a_ball_becomes_a_circle();
   segments_may_meet_in_a_point();
+  borders_of_patches_get_no_longer();
+  segments_across_a_crossing_do_not_touch();
+  a_straight_border_is_not_bent();
+  the_order_of_faces_does_not_matter();
   polygons_are_cut();
   open_meshes_stay_open();
   a_border_that_would_get_longer_stays();

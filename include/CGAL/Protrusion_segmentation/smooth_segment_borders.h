@@ -17,9 +17,8 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
-#include <map>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,11 +35,14 @@ three segments meet in a face, there is a new vertex in it. The old vertices sta
 old edges and faces, so that the surface is the same. It is closed if it was. Pieces of triangles are triangles. A face
 that no border crosses stays as it is.
 
-A border between two segments that would not get shorter stays along its edges: it was as straight as the mesh allows, or
-runs around something thin between long faces. Borders of other segments may end at it.
+No border between two segments gets longer, but for rounding, and no two segments get a border that had none. A border that
+would not get shorter stays along its edges: it was as straight as the mesh allows, or runs around something thin between
+long faces. Borders of other segments may end at it. If they would draw it out there, or if two segments would come to
+touch, borders stay along their edges around the vertices where they meet; if that does not suffice, those next to them
+stay, too, in the end all. With many iterations, a border of two segments that touch others, too, may vanish.
 
-Segments keep their ids and their number, and each stays connected if it was. A segment that would be lost or torn, such
-as one that is a single triangle wide, keeps its faces, and the borders of the others end at it.
+Segments keep their ids and their number, and each stays in as many connected parts as it was. A segment that would be
+lost or torn, such as one that is a single triangle wide, keeps its faces, and the borders of the others end at it.
 
 \tparam FaceGraph a model of `FaceListGraph` with a point for each vertex
 \tparam SegmentMap a model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type
@@ -83,7 +85,8 @@ as one that is a single triangle wide, keeps its faces, and the borders of the o
 \throw std::invalid_argument if a coordinate is not finite, if two edges have the same two ends, or if the number of
        iterations is negative; nothing is added to `output` then
 
-Complexity: O(n log n) for n edges, and linear in the number of iterations near borders.
+Complexity: O(n log n) for n edges, and linear in the number of iterations near borders. This comes again whenever
+more of the borders turns out to have to stay, which is most often a few times.
 */
 template <typename FaceGraph,
           typename SegmentMap,
@@ -109,16 +112,16 @@ std::size_t smooth_segment_borders(const FaceGraph& tmesh,
     "number_of_iterations", parameters::choose_parameter(
                               parameters::get_parameter(np, internal_np::number_of_iterations),
                               default_number_of_iterations));
-  std::map<Id, Index> numbers;
+  // Numbered by size, not by the first face: of equal shares, that with the lower number counts.
   std::vector<Id> ids;
-  std::vector<Index> segments;
   for (const auto f : faces(tmesh))
-  {
-    const auto [found, is_new] = numbers.emplace(get(segment_ids, f), static_cast<Index>(ids.size()));
-    if (is_new)
-      ids.push_back(found->first);
-    segments.push_back(found->second);
-  }
+    ids.push_back(get(segment_ids, f));
+  const std::vector<Id> segment_of_face = ids;
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::vector<Index> segments;
+  for (const Id& id : segment_of_face)
+    segments.push_back(static_cast<Index>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin()));
   const auto surface = internal::read_surface(tmesh, np).surface.to_surface();
   internal::check_edges_are_single(surface);
   const internal::Smooth_borders result =

@@ -6,31 +6,15 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_CORNER_FANS_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Borders/Kept_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 
-#include <algorithm>
 #include <limits>
-#include <set>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
-
-// Borders that stay where they are: all those of some segments, and some between two.
-struct Kept_borders
-{
-  using Index = Indexed_surface::Index;
-
-  std::vector<bool> of_segment;
-  std::set<std::pair<Index, Index>> between; // the lower one first
-
-  bool contains(Index s, Index t) const
-  {
-    return s != t && (of_segment[s] || of_segment[t] || between.count(std::minmax(s, t)) > 0);
-  }
-};
 
 // The corners of faces at a vertex that see each other: those of one fan. Kept borders part the fans of a vertex, as the
 // boundary of the surface does, and nothing is smoothed over them.
@@ -45,13 +29,14 @@ public:
     Disjoint_sets sets(surface.number_of_corners());
     for (Index f = 0; f < surface.number_of_faces(); ++f)
       for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
-        if (const Index g = surface.neighbor(c);
-            g != Indexed_surface::no_face() && f < g && !kept.contains(segment_of_face[f], segment_of_face[g]))
-        {
-          const Index next = surface.next_corner(f, c);
-          sets.union_set(c, corner_at(surface, g, surface.vertex(c)));
-          sets.union_set(next, corner_at(surface, g, surface.vertex(next)));
-        }
+      {
+        const Index g = surface.neighbor(c), next = surface.next_corner(f, c);
+        if (g == Indexed_surface::no_face() || f > g ||
+            kept.contains_edge(segment_of_face[f], segment_of_face[g], surface.vertex(c), surface.vertex(next)))
+          continue;
+        sets.union_set(c, corner_at(surface, g, surface.vertex(c)));
+        sets.union_set(next, corner_at(surface, g, surface.vertex(next)));
+      }
     number_fans(sets);
   }
 

@@ -75,16 +75,28 @@ struct Cut_surface
     return result;
   }
 
-  // Of how many connected sets of pieces each segment consists.
-  std::vector<std::size_t> connected_parts(const std::vector<Inner_edge>& edges, std::size_t number_of_segments) const
+  using Parts = std::vector<std::vector<Index>>; // pieces, in their order
+
+  // The connected sets of pieces of which each segment consists.
+  std::vector<Parts> connected_parts(const std::vector<Inner_edge>& edges, std::size_t number_of_segments) const
   {
     Disjoint_sets sets(pieces.size());
     for (const Inner_edge& edge : edges)
       if (pieces[edge.piece].segment == pieces[edge.other_piece].segment)
         sets.union_set(edge.piece, edge.other_piece);
-    std::vector<std::size_t> result(number_of_segments, 0);
-    for (std::size_t p = 0; p < pieces.size(); ++p)
-      result[pieces[p].segment] += sets.find_set(static_cast<Index>(p)) == p ? 1 : 0;
+    std::vector<std::size_t> part_of(pieces.size(), 0); // one more than its number; of the pieces that stand for a set
+    std::vector<Parts> result(number_of_segments);
+    for (Index p = 0; p < pieces.size(); ++p)
+    {
+      Parts& parts = result[pieces[p].segment];
+      std::size_t& part = part_of[sets.find_set(p)];
+      if (part == 0)
+      {
+        parts.emplace_back();
+        part = parts.size();
+      }
+      parts[part - 1].push_back(p);
+    }
     return result;
   }
 

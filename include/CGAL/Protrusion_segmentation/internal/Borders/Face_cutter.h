@@ -73,11 +73,20 @@ private:
       if (m_surface.vertex(from) > m_surface.vertex(to))
         std::swap(from, to);
       const Index u = m_surface.vertex(from), v = m_surface.vertex(to);
-      if (m_cut_edges.count({u, v}) > 0)
-        continue;
       const double share = share_of_cut(m_fans[from], m_fans[to]);
-      m_cut_edges[{u, v}] = add_vertex({{u, 1 - share}, {v, share}});
+      const auto [cut, is_new] = m_cut_edges.emplace(std::make_pair(u, v), Index(0));
+      if (is_new)
+        cut->second = add_vertex({{u, 1 - share}, {v, share}});
+      else
+        move_to_mean(m_result.new_vertices[cut->second - m_surface.number_of_vertices()], share);
     }
+  }
+
+  // On a kept border, lines may come to an edge from both sides, at different places.
+  static void move_to_mean(Cut_surface::Weights& weights, double share)
+  {
+    weights[1].second = (weights[1].second + share) / 2;
+    weights[0].second = 1 - weights[1].second;
   }
 
   // Where on the edge between two fans the shares of their segments are equal. Not too near to an end: pieces would be thin.

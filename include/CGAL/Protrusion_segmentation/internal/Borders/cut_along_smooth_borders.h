@@ -8,12 +8,16 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Borders/Corner_fans.h>
 #include <CGAL/Protrusion_segmentation/internal/Borders/Cut_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Borders/Edge_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Borders/Face_cutter.h>
 #include <CGAL/Protrusion_segmentation/internal/Borders/Fan_shares.h>
+#include <CGAL/Protrusion_segmentation/internal/Borders/Kept_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -40,12 +44,15 @@ public:
     : m_surface(surface),
       m_segment_of_face(segment_of_face),
       m_number_of_rounds(number_of_rounds),
-      m_parts(number_of_segments, 0)
+      m_parts(number_of_segments, 0),
+      m_borders(surface, segment_of_face, number_of_segments),
+      m_kept(number_of_segments, surface.number_of_vertices())
   {
-    m_kept.of_segment.assign(number_of_segments, number_of_rounds == 0);
     for (Index label : label_components(surface, segment_of_face).label)
       ++m_parts[label];
-    measure_borders();
+    if (number_of_rounds == 0)
+      for (Index s = 0; s < number_of_segments; ++s)
+        m_kept.keep_segment(s);
   }
 
   Smooth_borders smooth()
@@ -54,24 +61,19 @@ public:
     {
       Cut_surface result = cut();
       const Inner_edges edges = result.inner_edges();
-      if (keep_torn_segments(result, edges) || keep_longer_borders(result, edges))
+      if (keep_torn_segments(result, edges) || keep_worse_borders(result, edges))
         continue;
-      const auto number = std::count(m_kept.of_segment.begin(), m_kept.of_segment.end(), true);
-      return {std::move(result), static_cast<std::size_t>(number)};
+      return {std::move(result), m_kept.number_of_segments()};
     }
   }
 
 private:
   using Inner_edges = std::vector<Cut_surface::Inner_edge>;
+  using Pair = Edge_borders::Pair;
+  using New_contacts = std::map<Pair, std::vector<Index>>;
 
-  void measure_borders()
-  {
-    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
-        if (const Index g = m_surface.neighbor(c);
-            g != Indexed_surface::no_face() && f < g && m_segment_of_face[f] != m_segment_of_face[g])
-          m_lengths[std::minmax(m_segment_of_face[f], m_segment_of_face[g])] += m_surface.edge_length(f, c);
-  }
+  static constexpr std::size_t number_of_steps = 5;
+  static constexpr std::size_t number_of_scrap_steps = 3; // on real meshes more did not save another segment
 
   Cut_surface cut() const
   {
@@ -84,37 +86,145 @@ private:
   bool keep_torn_segments(const Cut_surface& result, const Inner_edges& edges)
   {
     const bool is_surface = result.is_surface();
-    const std::vector<std::size_t> parts = result.connected_parts(edges, m_parts.size());
+    const std::vector<Cut_surface::Parts> parts = result.connected_parts(edges, m_parts.size());
     bool is_any_new = false;
-    for (std::size_t s = 0; s < m_parts.size(); ++s)
-      if (!m_kept.of_segment[s] && (parts[s] != m_parts[s] || !is_surface))
-        is_any_new = m_kept.of_segment[s] = true;
+    for (Index s = 0; s < m_parts.size(); ++s)
+      if (parts[s].size() != m_parts[s] || !is_surface)
+        is_any_new = keep_around_scraps(result, parts[s], s) || m_kept.keep_segment(s) || is_any_new;
     return is_any_new;
   }
 
-  // What smoothing does not shorten was straight before, along edges of the mesh.
-  bool keep_longer_borders(const Cut_surface& result, const Inner_edges& edges)
+  // Where a few edges of a border are kept, others may cut off a scrap beside them. No need to keep all of the segment then.
+  bool keep_around_scraps(const Cut_surface& result, const Cut_surface::Parts& parts, Index s)
+  {
+    if (parts.size() <= m_parts[s] || m_kept.contains_segment(s) || m_scrap_steps[s]++ >= number_of_scrap_steps)
+      return false;
+    std::vector<std::size_t> sizes;
+    for (const auto& part : parts)
+      sizes.push_back(part.size());
+    std::sort(sizes.begin(), sizes.end());
+    bool is_any_new = false;
+    for (const auto& part : parts)
+      if (part.size() <= sizes[parts.size() - m_parts[s] - 1])
+        for (Index piece : part)
+          is_any_new = keep_at_corners(result.pieces[piece].face) || is_any_new;
+    return is_any_new;
+  }
+
+  bool keep_at_corners(Index f)
+  {
+    bool is_any_new = false;
+    for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+      is_any_new = m_kept.keep_at_vertex(m_surface.vertex(c)) || is_any_new;
+    return is_any_new;
+  }
+
+  // What smoothing does not shorten was straight before, along edges of the mesh. That it stays does not suffice: where it
+  // meets other borders, these may move and take it along. Nor do segments that did not touch have a border that could stay.
+  bool keep_worse_borders(const Cut_surface& result, const Inner_edges& edges)
   {
     constexpr double rounding = 1e-9; // relative
+    const New_contacts contacts = new_contacts(result, edges);
     bool is_any_new = false;
-    for (const auto& [segments, length] : result.border_lengths(edges, m_surface))
-      if (const auto old = m_lengths.find(segments);
-          old != m_lengths.end() && !m_kept.contains(segments.first, segments.second) &&
-          length > (1 - rounding) * old->second)
-        is_any_new = m_kept.between.insert(segments).second;
+    for (const auto& [pair, length] : result.border_lengths(edges, m_surface))
+    {
+      const double tolerance = m_kept.contains(pair.first, pair.second) ? rounding : -rounding;
+      if (!m_borders.contains(pair) || length > (1 + tolerance) * m_borders.length(pair))
+        is_any_new = keep_more(pair, contacts) || is_any_new;
+    }
     return is_any_new;
+  }
+
+  // The vertices of the faces in which segments touch that did not.
+  New_contacts new_contacts(const Cut_surface& result, const Inner_edges& edges) const
+  {
+    New_contacts contacts;
+    for (const auto& edge : edges)
+    {
+      const Cut_surface::Piece &piece = result.pieces[edge.piece], &other = result.pieces[edge.other_piece];
+      const Pair pair = std::minmax(piece.segment, other.segment);
+      if (pair.first == pair.second || m_borders.contains(pair))
+        continue;
+      for (Index f : {piece.face, other.face})
+        for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+          contacts[pair].push_back(m_surface.vertex(c));
+    }
+    return contacts;
+  }
+
+  // Keeps more of what is around a border each time that it comes out worse, in the end everything. Returns whether there
+  // was anything left to keep.
+  bool keep_more(const Pair& pair, const New_contacts& contacts)
+  {
+    std::size_t& step = m_steps[pair];
+    while (step < number_of_steps)
+      if (keep_at_step(step++, pair, contacts))
+        return true;
+    return false;
+  }
+
+  bool keep_at_step(std::size_t step, const Pair& pair, const New_contacts& contacts)
+  {
+    const auto [s, t] = pair;
+    const bool is_old = m_borders.contains(pair);
+    switch (step)
+    {
+    case 0: return is_old ? m_kept.keep_between(s, t) : keep_at_vertices(contacts.at(pair));
+    case 1: return is_old && keep_at_vertices(m_borders.junctions_of(pair));
+    case 2: return keep_to_common_neighbors(s, t);
+    case 3: return keep_to_neighbors({s, t});
+    default: return keep_everywhere();
+    }
+  }
+
+  bool keep_at_vertices(const std::vector<Index>& vertices)
+  {
+    bool is_any_new = false;
+    for (Index v : vertices)
+      is_any_new = m_kept.keep_at_vertex(v) || is_any_new;
+    return is_any_new;
+  }
+
+  // Those that push in between the two, or draw back from there.
+  bool keep_to_common_neighbors(Index s, Index t)
+  {
+    bool is_any_new = false;
+    for (Index neighbor : m_borders.neighbors(s))
+      if (m_borders.contains(std::minmax(neighbor, t)))
+        for (Index segment : {s, t})
+          is_any_new = m_kept.keep_between(segment, neighbor) || is_any_new;
+    return is_any_new;
+  }
+
+  bool keep_to_neighbors(const std::vector<Index>& segments)
+  {
+    bool is_any_new = false;
+    for (Index s : segments)
+      for (Index neighbor : m_borders.neighbors(s))
+        is_any_new = m_kept.keep_between(s, neighbor) || is_any_new;
+    return is_any_new;
+  }
+
+  bool keep_everywhere()
+  {
+    std::vector<Index> segments(m_parts.size());
+    std::iota(segments.begin(), segments.end(), Index(0));
+    return keep_to_neighbors(segments);
   }
 
   const Indexed_surface& m_surface;
   const std::vector<Index>& m_segment_of_face;
   const std::size_t m_number_of_rounds;
-  std::vector<std::size_t> m_parts;     // of each segment, connected ones
-  Cut_surface::Border_lengths m_lengths; // along edges
+  std::vector<std::size_t> m_parts; // of each segment, connected ones
+  std::map<Index, std::size_t> m_scrap_steps; // how often something was kept around scraps of a segment
+  Edge_borders m_borders;
   Kept_borders m_kept;
+  std::map<Pair, std::size_t> m_steps; // how often more was kept around a border
 };
 
-// Moves the borders between segments to smooth lines, along which faces are cut. A border that would not get shorter stays
-// where it is. A segment that does not come out in as many connected parts as it had keeps its faces.
+// Moves the borders between segments to smooth lines, along which faces are cut. No border gets longer, and there is none
+// between segments that had none: what would make it so stays where it is. A segment that does not come out in as many
+// connected parts as it had keeps its faces.
 inline Smooth_borders cut_along_smooth_borders(const Indexed_surface& surface,
                                                const std::vector<Indexed_surface::Index>& segment_of_face,
                                                std::size_t number_of_segments,
