@@ -40,10 +40,10 @@ The face dual graph (Section III.B of the paper) has the faces as nodes and an a
 for every edge that two different faces share. The length of an arc is the distance between the
 centroids of the two faces.
 
-The coordinates are those of the input mesh, moved and scaled so that the whole surface fits into \f$[-1, 1]^3\f$: neither
-tiny nor huge coordinates can under- or overflow. A connected surface is turned, too, and mirrored where needed, so that
-they are the same however the mesh lies: the origin is its center of gravity, the axes are those of inertia, and coordinates are
-rounded to multiples of \f$2^{-30}\f$.
+The coordinates are those of the input mesh, moved and scaled so that the whole surface fits into
+\f$[-1, 1]^3\f$: neither tiny nor huge coordinates can under- or overflow. A connected surface is turned, too, and
+mirrored where needed, so that they are the same however the mesh lies: the origin is its center of gravity, the
+axes are those of inertia, and coordinates are rounded to multiples of \f$2^{-30}\f$.
 
 The memory is about 70 bytes per triangle.
 */

@@ -37,7 +37,9 @@ struct Polygon_soup_repairs
   /// two polygons
   bool is_nothing() const
   {
-    return degenerate_polygons + duplicate_polygons + non_manifold_edges + unorientable_edges + reversed_polygons + specks == 0;
+    return degenerate_polygons + duplicate_polygons + non_manifold_edges + unorientable_edges + reversed_polygons +
+             specks ==
+           0;
   }
 };
 

@@ -24,7 +24,7 @@ namespace Protrusion_segmentation {
 namespace internal {
 
 // Six times the signed volume of a closed surface. Of one with borders it is taken as if every border were
-// closed by a fan around the centre of the surface's box, which is the origin.
+// closed by a fan around the origin, which lies in the middle of the surface.
 inline double signed_volume(const Indexed_surface& surface, bool is_parallel)
 {
   const Indexed_surface::Point_3 origin(0, 0, 0);

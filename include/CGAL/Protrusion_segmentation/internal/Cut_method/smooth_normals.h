@@ -67,7 +67,7 @@ public:
     constexpr int maximum_number_of_iterations = 200; // some ten to thirty are usual
     const Sums right_hand_side = start(x);
     Sums rho = advance({0, 0, 0}, x);
-    const auto is_solved = [&](int i) { return !(rho[i] > tolerance * tolerance * right_hand_side[i]); };
+    const auto is_solved = [&](std::size_t i) { return !(rho[i] > tolerance * tolerance * right_hand_side[i]); };
     for (int iteration = 0; iteration < maximum_number_of_iterations; ++iteration)
     {
       execution.check();
@@ -75,21 +75,21 @@ public:
         return;
       const Sums curvature = multiply(m_direction, m_product);
       Triple step, share;
-      for (int i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < 3; ++i)
         step[i] = is_solved(i) ? 0 : static_cast<float>(rho[i] / curvature[i]);
       const Sums before = rho;
       rho = advance(step, x);
-      for (int i = 0; i < 3; ++i)
+      for (std::size_t i = 0; i < 3; ++i)
         share[i] = before[i] > 0 ? static_cast<float>(rho[i] / before[i]) : 0;
       for_each_node(
         [&](Index k)
         {
-          for (int i = 0; i < 3; ++i)
+          for (std::size_t i = 0; i < 3; ++i)
             m_direction[k][i] = m_residual[k][i] / m_diagonal[k] + share[i] * m_direction[k][i];
         });
     }
     // No error of the program: it happens where sizes of faces differ by more than a number of single precision can.
-    CGAL_warning_msg(false, "Protrusion_segmentation: the faces of the mesh differ so much in size that normals were not averaged "
+    CGAL_warning_msg(false, "Protrusion_segmentation: faces differ so much in size that normals were not averaged "
                             "to the last digit; the segments are valid");
   }
 
@@ -144,7 +144,7 @@ private:
     return add_nodes(
       [&](Index k, Sums& norms)
       {
-        for (int i = 0; i < 3; ++i)
+        for (std::size_t i = 0; i < 3; ++i)
         {
           const double b = mass(k) * x[k][i];
           m_residual[k][i] = static_cast<float>(b - m_product[k][i]);
@@ -160,7 +160,7 @@ private:
     return add_nodes(
       [&](Index k, Sums& sums)
       {
-        for (int i = 0; i < 3; ++i)
+        for (std::size_t i = 0; i < 3; ++i)
         {
           x[k][i] += step[i] * m_direction[k][i];
           m_residual[k][i] -= step[i] * m_product[k][i];
@@ -176,13 +176,13 @@ private:
       [&](Index k, Sums& sums)
       {
         Triple row;
-        for (int i = 0; i < 3; ++i)
+        for (std::size_t i = 0; i < 3; ++i)
           row[i] = m_diagonal[k] * x[k][i];
         for (Index arc : m_graph.arcs(k))
-          for (int i = 0; i < 3; ++i)
+          for (std::size_t i = 0; i < 3; ++i)
             row[i] -= m_weights[arc] * x[m_graph.target[arc]][i];
         result[k] = row;
-        for (int i = 0; i < 3; ++i)
+        for (std::size_t i = 0; i < 3; ++i)
           sums[i] += x[k][i] * static_cast<double>(row[i]);
       });
   }
@@ -278,7 +278,7 @@ private:
     {
       const Index group = groups.node[i];
       const double area = groups.graph.area[group];
-      for (int k = 0; k < 3 && area > 0; ++k)
+      for (std::size_t k = 0; k < 3 && area > 0; ++k)
         means[group][k] += static_cast<float>(graph.area[i] / area * values[i][k]);
     }
     return means;

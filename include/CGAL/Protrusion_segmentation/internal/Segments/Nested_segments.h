@@ -92,8 +92,7 @@ public:
   }
 
 private:
-  // The largest area has rank 0. Areas that are as floating-point numbers of single precision the same, as those of copies are,
-  // stay in their order.
+  // The largest area has rank 0. Areas that are the same in single precision, as those of copies are, stay in their order.
   static std::vector<Index> ranks_by_area(const std::vector<double>& areas)
   {
     std::vector<Index> order(areas.size()), ranks(areas.size());

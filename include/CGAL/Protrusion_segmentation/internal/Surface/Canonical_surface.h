@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// A surface whose points are where its shape alone puts them, if it is connected, and whose faces are in an order that depends
-// on where they are and not on the mesh.
+// A surface whose points are where its shape alone puts them, if it is connected, and whose faces are in an order that
+// depends on where they are and not on the mesh.
 class Canonical_surface
 {
 public:
@@ -35,7 +35,8 @@ public:
     take_in_order(arrays, is_parallel);
   }
 
-  // Of a whole mesh, in its coordinates. Components that do not hang together have no frame in common. A face on a speck is, for tips and values, the face that stands for it.
+  // Of a whole mesh; of several components in its coordinates, since they have no frame in common. A face on a speck is, for
+  // tips and values, the face that stands for it.
   explicit Canonical_surface(Rest_of_surface rest, bool is_parallel = false)
     : m_unit(rest.is_connected ? move_to_canonical_frame(rest.arrays, is_parallel) : normalize(rest.arrays.points)),
       m_position(canonical_order(rest.arrays, is_parallel))

@@ -72,28 +72,26 @@ public:
   // All coordinates of the surface are in [-1, 1].
   Canonical_frame(const Surface_arrays& surface, bool is_parallel) : m_surface(surface), m_is_parallel(is_parallel)
   {
-    Matrix_3 covariance = find_centre_and_covariance();
-    m_axes = principal_axes(covariance);
+    m_axes = principal_axes(find_centre_and_covariance());
     direct_axes();
   }
 
-  std::array<double, 3> operator()(const Point_3& point) const
+  Point_3 operator()(const Point_3& point) const
   {
     const Vector_3 v = point - m_centre;
-    std::array<double, 3> result;
-    for (int a = 0; a < 3; ++a)
-      result[a] = m_axes[a][0] * v.x() + m_axes[a][1] * v.y() + m_axes[a][2] * v.z();
-    return result;
+    const auto along = [&v](const Triple& axis) { return axis[0] * v.x() + axis[1] * v.y() + axis[2] * v.z(); };
+    return {along(m_axes[0]), along(m_axes[1]), along(m_axes[2])};
   }
 
   // whether a right hand becomes a left one
   bool mirrors() const
   {
-    const auto& [x, y, z] = m_axes;
-    return cross_product(Vector_3(x[0], x[1], x[2]), Vector_3(y[0], y[1], y[2])) * Vector_3(z[0], z[1], z[2]) < 0;
+    const auto vector = [](const Triple& axis) { return Vector_3(axis[0], axis[1], axis[2]); };
+    return cross_product(vector(m_axes[0]), vector(m_axes[1])) * vector(m_axes[2]) < 0;
   }
 
 private:
+  using Triple = std::array<double, 3>;
   using Corners = Corners_of_face<Surface_arrays>;
 
   // `add(corners, measures, sums)` for every face
@@ -121,16 +119,17 @@ private:
       [](const Corners& corners, const Polygon_measures& face, Compensated_sums<10>& result)
       {
         const double share_of_corner = 0.25 / static_cast<double>(corners.size());
+        const Triple centroid = triple(face.centroid);
         std::size_t i = 4;
         result[0] += face.area;
-        for (int a = 0; a < 3; ++a)
+        for (std::size_t a = 0; a < 3; ++a)
         {
-          result[1 + a] += face.area * face.centroid[a];
-          for (int b = 0; b <= a; ++b)
+          result[1 + a] += face.area * centroid[a];
+          for (std::size_t b = 0; b <= a; ++b)
           {
-            double square = 0.75 * face.centroid[a] * face.centroid[b];
+            double square = 0.75 * centroid[a] * centroid[b];
             for (std::size_t c = 0; c < corners.size(); ++c)
-              square += share_of_corner * corners[c][a] * corners[c][b];
+              square += share_of_corner * triple(corners[c])[a] * triple(corners[c])[b];
             result[i++] += face.area * square;
           }
         }
@@ -138,12 +137,13 @@ private:
     const double area = sums[0].value();
     if (!(area > 0))
       return {};
-    m_centre = Point_3(sums[1].value() / area, sums[2].value() / area, sums[3].value() / area);
+    const Triple centre = {sums[1].value() / area, sums[2].value() / area, sums[3].value() / area};
+    m_centre = Point_3(centre[0], centre[1], centre[2]);
     Matrix_3 covariance;
     std::size_t i = 4;
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b <= a; ++b)
-        covariance[a][b] = covariance[b][a] = sums[i++].value() / area - m_centre[a] * m_centre[b];
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t b = 0; b <= a; ++b)
+        covariance[a][b] = covariance[b][a] = sums[i++].value() / area - centre[a] * centre[b];
     return covariance;
   }
 
@@ -155,15 +155,15 @@ private:
     const auto sums = sums_over_faces<6>(
       [this](const Corners&, const Polygon_measures& face, Compensated_sums<6>& result)
       {
-        const std::array<double, 3> x = (*this)(face.centroid);
-        for (int a = 0; a < 3; ++a)
+        const Triple x = triple((*this)(face.centroid));
+        for (std::size_t a = 0; a < 3; ++a)
         {
           const double cube = face.area * x[a] * x[a] * x[a];
           result[a] += cube;
           result[3 + a] += std::abs(cube);
         }
       });
-    for (int a = 0; a < 3; ++a)
+    for (std::size_t a = 0; a < 3; ++a)
     {
       const double skewness = sums[a].value();
       const bool is_symmetric = !(std::abs(skewness) > least_skewness * sums[3 + a].value());
@@ -173,7 +173,9 @@ private:
     }
   }
 
-  static double largest_component(const std::array<double, 3>& axis)
+  static Triple triple(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
+
+  static double largest_component(const Triple& axis)
   {
     return *std::max_element(axis.begin(), axis.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
   }
@@ -220,9 +222,8 @@ inline double move_to_canonical_frame(Surface_arrays& surface, bool is_parallel)
   double largest = 0;
   for (Indexed_surface::Point_3& point : surface.points)
   {
-    const auto [x, y, z] = frame(point);
-    largest = (std::max)({largest, std::abs(x), std::abs(y), std::abs(z)});
-    point = Indexed_surface::Point_3(x, y, z);
+    point = frame(point);
+    largest = (std::max)({largest, std::abs(point.x()), std::abs(point.y()), std::abs(point.z())});
   }
   if (!(largest > 0))
     return unit;
