@@ -47,12 +47,12 @@ private:
   double m_sum = 0, m_rest = 0;
 };
 
-template <std::size_t n>
-struct Compensated_sums : std::array<Compensated_sum, n>
+template <std::size_t N>
+struct Compensated_sums : std::array<Compensated_sum, N>
 {
   friend Compensated_sums operator+(Compensated_sums a, const Compensated_sums& b)
   {
-    for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t i = 0; i < N; ++i)
       a[i] = a[i] + b[i];
     return a;
   }
@@ -95,13 +95,13 @@ private:
   using Corners = Corners_of_face<Surface_arrays>;
 
   // `add(corners, measures, sums)` for every face
-  template <std::size_t n, typename Add>
-  Compensated_sums<n> sums_over_faces(Add add) const
+  template <std::size_t N, typename Add>
+  Compensated_sums<N> sums_over_faces(Add add) const
   {
-    return add_blocks(m_surface.number_of_faces(), m_is_parallel, Compensated_sums<n>(),
+    return add_blocks(m_surface.number_of_faces(), m_is_parallel, Compensated_sums<N>(),
                       [&](std::size_t begin, std::size_t end)
                       {
-                        Compensated_sums<n> sums;
+                        Compensated_sums<N> sums;
                         for (std::size_t f = begin; f < end; ++f)
                         {
                           const Corners corners{m_surface, static_cast<Index>(f)};
