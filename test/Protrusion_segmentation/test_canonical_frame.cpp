@@ -33,8 +33,7 @@ constexpr double rounding = 1e-9; // of coordinates
 
 Canonical_surface canonical(const Test_mesh& mesh)
 {
-  internal::Arrays_of_mesh read = internal::read_surface(to_graph<Mesh>(mesh), CGAL::parameters::default_values());
-  return Canonical_surface(std::move(read.surface), read.unit);
+  return Canonical_surface(internal::read_arrays(to_graph<Mesh>(mesh), CGAL::parameters::default_values()));
 }
 
 void axes_are_eigenvectors()

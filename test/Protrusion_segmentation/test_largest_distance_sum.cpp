@@ -211,8 +211,7 @@ void same_face_as_all_pairs_on_models(const std::filesystem::path& folder)
   {
     CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
     CHECK(CGAL::IO::read_polygon_mesh(file.string(), mesh));
-    internal::Arrays_of_mesh input = internal::read_surface(mesh, CGAL::parameters::default_values());
-    const internal::Canonical_surface canonical(std::move(input.surface), input.unit);
+    const internal::Canonical_surface canonical(internal::read_arrays(mesh, CGAL::parameters::default_values()));
     const Indexed_surface& surface = canonical.surface();
     std::cout << file.filename().string() << ", ";
     std::cout << surface.number_of_faces() << " faces: " << runs_of_search(surface) << " runs\n";

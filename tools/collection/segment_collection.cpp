@@ -92,7 +92,7 @@ public:
       if (m_command_line.is_everything_done_again || !is_done(mesh))
         left.push_back(&mesh);
       else
-        tell_done(mesh, "already there", formats_in_record(mesh));
+        tell_done(mesh, "already there", formats_in(record_of(mesh)));
     m_number_of_skipped = m_meshes.size() - left.size();
     run_in_processes(left.size(), m_command_line.jobs, [&](std::size_t i) { return segment(*left[i]); },
                      [&](std::size_t i, const Outcome& outcome) { tell(*left[i], outcome); });
@@ -207,9 +207,8 @@ private:
   }
 
   // Those that were written with it; what else lies there may be of other segments.
-  std::vector<std::string> formats_in_record(const Mesh_in_collection& mesh) const
+  static std::vector<std::string> formats_in(const Json& record)
   {
-    const Json record = record_of(mesh);
     std::vector<std::string> formats;
     for (const Json& format : record.value("formats", Json::array()))
       if (format.is_string())
@@ -224,11 +223,11 @@ private:
     const auto written = fs::last_write_time(path(mesh, "json"), error);
     if (error || fs::last_write_time(mesh.input, error) > written || error)
       return false;
-    const std::vector<std::string> formats = formats_in_record(mesh);
+    const Json record = record_of(mesh);
+    const std::vector<std::string> formats = formats_in(record);
     for (const std::string& format : m_command_line.formats)
       if (std::find(formats.begin(), formats.end(), format) == formats.end() || !fs::exists(path(mesh, format), error))
         return false;
-    const Json record = record_of(mesh);
     if (record.value("format_version", 0) != json_format_version || record.contains("error"))
       return false;
     const Json options = describe(m_command_line.options);

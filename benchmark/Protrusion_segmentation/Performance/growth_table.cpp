@@ -11,7 +11,6 @@
 #include <CGAL/subdivision_method_3.h>
 
 #include <iostream>
-#include <utility>
 
 namespace {
 
@@ -21,8 +20,8 @@ namespace PS = CGAL::Protrusion_segmentation;
 // the median of ten.
 double nanoseconds_per_run(const Mesh& mesh)
 {
-  PS::internal::Arrays_of_mesh arrays = PS::internal::read_surface(mesh, CGAL::parameters::default_values());
-  const PS::internal::Canonical_surface canonical(std::move(arrays.surface), arrays.unit);
+  const PS::internal::Canonical_surface canonical(
+    PS::internal::read_arrays(mesh, CGAL::parameters::default_values()));
   const PS::Indexed_surface& surface = canonical.surface();
   PS::internal::Shortest_distances shortest_distances(surface);
   std::vector<double> distances;

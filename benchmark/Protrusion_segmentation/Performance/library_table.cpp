@@ -23,7 +23,6 @@
 #include <iostream>
 #include <iterator>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace {
@@ -164,9 +163,8 @@ Times_of_sections times_of_sections(const Model& model, const Options& options)
 {
   using Primitive = CGAL::AABB_halfedge_graph_segment_primitive<Slicer_mesh>;
   using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Slicer_kernel, Primitive>>;
-  PS::internal::Arrays_of_mesh arrays =
-    PS::internal::read_surface(model.mesh, CGAL::parameters::default_values());
-  const PS::internal::Canonical_surface canonical(std::move(arrays.surface), arrays.unit);
+  const PS::internal::Canonical_surface canonical(
+    PS::internal::read_arrays(model.mesh, CGAL::parameters::default_values()));
   const PS::Indexed_surface& surface = canonical.surface();
   const Planes_of_tip tip(surface);
   PS::internal::Plane_section section(surface);

@@ -18,7 +18,6 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace {
 
@@ -61,9 +60,8 @@ void print_whole_row(const Markdown_table& table,
 void print_rows(const Options& options, const Benchmark_folder& folder, const Markdown_table& table)
 {
   const Model model = folder.read_model(393);
-  PS::internal::Arrays_of_mesh arrays =
-    PS::internal::read_surface(model.mesh, CGAL::parameters::default_values());
-  const PS::internal::Canonical_surface canonical(std::move(arrays.surface), arrays.unit);
+  const PS::internal::Canonical_surface canonical(
+    PS::internal::read_arrays(model.mesh, CGAL::parameters::default_values()));
   const PS::Indexed_surface& surface = canonical.surface();
   print_row(table, "distances from the landmarks of LGD(5)", options,
             [&](auto tag)

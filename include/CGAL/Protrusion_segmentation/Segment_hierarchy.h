@@ -25,8 +25,8 @@ namespace Protrusion_segmentation {
 The nested protrusions of a surface (Figure 1 of the paper) as a tree, and with it the segmentations for every
 number of segments.
 
-The bodies of the connected components have the first numbers, one each, the largest component 0. The other segments are protrusions, in the
-order in which their borders were chosen; each sticks out of its parent. The segmentation with one segment less is
+The bodies of the connected components have the first numbers, one each, the largest component 0. The other segments
+are protrusions, in the order in which their borders were chosen; each sticks out of its parent. The segmentation with one segment less is
 found by joining the last segment to its parent; what stuck out of it then sticks out of the parent.
 
 An object of this class is made by `CGAL::protrusion_hierarchy()` and keeps no reference to the mesh.
@@ -63,12 +63,13 @@ public:
   void segment_ids(const FaceGraph& tmesh, std::size_t number_of_segments, SegmentMap segment_ids) const
   {
     const std::vector<Index> ancestors = ancestors_below(number_of_segments);
-    std::vector<Index> labels;
-    for (Index label : m_labels)
-      labels.push_back(ancestors[label]);
     if (static_cast<std::size_t>(std::distance(faces(tmesh).begin(), faces(tmesh).end())) !=
         m_labels.size())
       throw std::invalid_argument("tmesh is not the mesh of the hierarchy: it has another number of faces");
+    std::vector<Index> labels;
+    labels.reserve(m_labels.size());
+    for (Index label : m_labels)
+      labels.push_back(ancestors[label]);
     internal::write_segments(tmesh, labels, segment_ids);
   }
 

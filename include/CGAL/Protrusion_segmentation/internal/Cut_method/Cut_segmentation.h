@@ -135,7 +135,7 @@ private:
   // and ties decided alike.
   Canonical_surface surface_of_its_own(Surface_arrays arrays) const
   {
-    return Canonical_surface(std::move(arrays), 1, m_execution.is_parallel());
+    return Canonical_surface(std::move(arrays), m_execution.is_parallel());
   }
 
   // The face of the whole surface for a face of a component.

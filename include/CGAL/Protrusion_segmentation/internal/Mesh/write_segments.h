@@ -13,8 +13,8 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -29,12 +29,15 @@ namespace internal {
 template <typename Id>
 void check_type_of_ids(const std::vector<Indexed_surface::Index>& labels)
 {
-  if constexpr (std::numeric_limits<Id>::is_integer)
-    for (const Indexed_surface::Index label : labels)
-      if (label > static_cast<std::uintmax_t>((std::numeric_limits<Id>::max)()))
-        throw std::invalid_argument("segment_ids: its value type holds numbers up to " +
-                                    std::to_string((std::numeric_limits<Id>::max)()) +
-                                    ", but there is a segment " + std::to_string(label));
+  using Index = Indexed_surface::Index;
+  using Limits = std::numeric_limits<Id>;
+  if constexpr (Limits::is_integer && Limits::digits < std::numeric_limits<Index>::digits)
+  {
+    const auto largest = std::max_element(labels.begin(), labels.end());
+    if (largest != labels.end() && *largest > static_cast<Index>((Limits::max)()))
+      throw std::invalid_argument("segment_ids: its value type holds numbers up to " + std::to_string((Limits::max)()) +
+                                  ", but there is a segment " + std::to_string(*largest));
+  }
 }
 
 // Writes the segment of every face; `labels` are in the order of the mesh.

@@ -28,9 +28,9 @@ class Canonical_surface
 public:
   using Index = Indexed_surface::Index;
 
-  // Of a connected surface. `unit`: what turns lengths of the arrays into those of the mesh
-  Canonical_surface(Surface_arrays arrays, double unit, bool is_parallel = false)
-    : m_unit(unit * move_to_canonical_frame(arrays, is_parallel)), m_position(canonical_order(arrays, is_parallel))
+  // Of a connected surface.
+  explicit Canonical_surface(Surface_arrays arrays, bool is_parallel = false)
+    : m_unit(move_to_canonical_frame(arrays, is_parallel)), m_position(canonical_order(arrays, is_parallel))
   {
     take_in_order(arrays, is_parallel);
   }
@@ -54,6 +54,7 @@ public:
   }
 
   const Indexed_surface& surface() const { return m_surface; }
+  // what turns lengths of the surface into those of what it was made of
   double unit() const { return m_unit; }
   // where each face of the surface is in the mesh
   const std::vector<Index>& positions() const { return m_position; }
