@@ -38,8 +38,8 @@ Canonical_surface canonical(const Test_mesh& mesh)
 
 void axes_are_eigenvectors()
 {
-  std::mt19937 random(7);
-  const auto number = [&random]() { return static_cast<double>(random()) / 4294967296. - 0.5; };
+  Random random(7);
+  const auto number = [&random]() { return random.real(-0.5, 0.5); };
   for (int i = 0; i < 1000; ++i)
   {
     Matrix_3 m = {};

@@ -22,7 +22,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <random>
 #include <set>
 #include <stdexcept>
@@ -219,18 +218,18 @@ void segments_may_meet_in_a_point()
 // For every face the nearest of some seeds, to which distances are wrong by up to a deviation: ragged.
 Labels patches(const Test_mesh& soup, std::size_t number, double deviation, unsigned int seed)
 {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> noise(-deviation, deviation);
+  Random random(seed);
   std::vector<Point> seeds;
   while (seeds.size() < number)
-    seeds.push_back(centroid(soup, soup.faces[random() % soup.faces.size()]));
+    seeds.push_back(centroid(soup, soup.faces[random.index(soup.faces.size())]));
   Labels labels;
   for (const Face& face : soup.faces)
   {
     const Point c = centroid(soup, face);
     std::vector<double> distances;
     for (const Point& point : seeds)
-      distances.push_back(std::hypot(c[0] - point[0], c[1] - point[1], c[2] - point[2]) + noise(random));
+      distances.push_back(std::hypot(c[0] - point[0], c[1] - point[1], c[2] - point[2]) +
+                          random.real(-deviation, deviation));
     labels.push_back(std::size_t(std::min_element(distances.begin(), distances.end()) - distances.begin()));
   }
   return labels;
@@ -283,19 +282,10 @@ void the_order_of_faces_does_not_matter()
 {
   for (unsigned int seed = 1; seed <= 4; ++seed)
   {
-    const Test_mesh soup = icosphere(3);
-    const Labels labels = patches(soup, 7, 0.04, seed);
-    std::vector<std::size_t> order(soup.faces.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::shuffle(order.begin(), order.end(), std::mt19937(seed));
-    Test_mesh shuffled = soup;
-    Labels shuffled_labels;
-    for (std::size_t f = 0; f < order.size(); ++f)
-    {
-      shuffled.faces[f] = soup.faces[order[f]];
-      shuffled_labels.push_back(labels[order[f]]);
-    }
-    const Smoothed one = checked(soup, labels), other = checked(shuffled, shuffled_labels);
+    Test_mesh soup = icosphere(3);
+    soup.parts = patches(soup, 7, 0.04, seed);
+    const Test_mesh shuffled = with_face_order(soup, random_permutation(soup.faces.size(), seed));
+    const Smoothed one = checked(soup, soup.parts), other = checked(shuffled, shuffled.parts);
     CHECK_EQUAL(one.number_of_fixed_segments, other.number_of_fixed_segments);
     Lengths others = border_lengths(other.mesh, other.segments);
     for (const auto& [segments, length] : border_lengths(one.mesh, one.segments))
