@@ -13,16 +13,13 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Face_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/Borders_of_cuts.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
-
-#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numeric>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -125,7 +122,8 @@ private:
     std::vector<double> areas(number_of_segments(), 0);
     for (Index f = 0; f < m_labels.size(); ++f)
       areas[m_labels[f]] += m_surface.area(f);
-    const Segment_tree tree(areas, borders());
+    const Borders_of_cuts::Lengths lengths = border_lengths();
+    const Segment_tree tree(areas, Borders_of_cuts(lengths, sides_of_cuts())());
     std::vector<std::pair<std::size_t, Index>> order; // by the border to the parent, the body first
     for (Index leaf = 0; leaf < areas.size(); ++leaf)
       order.emplace_back(leaf == tree.body() ? 0 : tree.border_to_parent(leaf) + 1, leaf);
@@ -144,51 +142,12 @@ private:
       label = number[label];
   }
 
-  // For every cut the two leaves with the longest common border among those on its two sides: there it runs in the end.
-  // Where other borders have moved in between, so that the two sides touch no more, it is the longest border that is left
-  // between leaves not connected yet. So each border joins neighbours, and whatever is given back in a hierarchy is
-  // connected.
-  std::vector<Segment_tree::Border> borders() const
+  std::vector<Sides_of_cut> sides_of_cuts() const
   {
-    const std::map<Segment_tree::Border, double> lengths = border_lengths();
-    std::vector<Segment_tree::Border> result(m_set.cuts.size());
-    std::vector<Index> joined(number_of_segments()); // leaves with equal numbers are connected by borders found so far
-    std::iota(joined.begin(), joined.end(), Index(0));
-    const auto join = [&](const Segment_tree::Border& border)
-    { std::replace(joined.begin(), joined.end(), Index(joined[border.second]), Index(joined[border.first])); };
-    std::vector<std::size_t> without_border;
-    for (std::size_t c = m_set.cuts.size(); c-- > 0;)
-    {
-      const auto& inner = m_leaves.at(m_set.cuts[c].inner);
-      const auto& outer = m_leaves.at(m_set.cuts[c].outer);
-      const auto has = [](const std::vector<Index>& leaves, Index s)
-      { return std::find(leaves.begin(), leaves.end(), s) != leaves.end(); };
-      const auto longest = longest_border(lengths, [&](Index s, Index t)
-                                          { return (has(inner, s) && has(outer, t)) || (has(inner, t) && has(outer, s)); });
-      if (longest)
-        join(result[c] = *longest);
-      else
-        without_border.push_back(c);
-    }
-    for (std::size_t c : without_border)
-    {
-      const auto longest = longest_border(lengths, [&](Index s, Index t) { return joined[s] != joined[t]; });
-      CGAL_assertion(longest.has_value()); // the surface is connected
-      join(result[c] = *longest);
-    }
+    std::vector<Sides_of_cut> result;
+    for (const Cut_set::Made_cut& cut : m_set.cuts)
+      result.push_back({m_leaves.at(cut.inner), m_leaves.at(cut.outer)});
     return result;
-  }
-
-  // among the borders for whose two segments `accept(s, t)` holds
-  template <typename Accept>
-  static std::optional<Segment_tree::Border> longest_border(const std::map<Segment_tree::Border, double>& lengths,
-                                                            Accept accept)
-  {
-    std::optional<Segment_tree::Border> longest;
-    for (const auto& [border, length] : lengths)
-      if (accept(border.first, border.second) && (!longest || length > lengths.at(*longest)))
-        longest = border;
-    return longest;
   }
 
   void find_border_arcs()
@@ -208,9 +167,9 @@ private:
   }
 
   // of every two neighbouring segments, the lower one first
-  std::map<Segment_tree::Border, double> border_lengths() const
+  Borders_of_cuts::Lengths border_lengths() const
   {
-    std::map<Segment_tree::Border, double> result;
+    Borders_of_cuts::Lengths result;
     for (const Border_arc& arc : m_border_arcs)
       if (m_labels[arc.source] < m_labels[arc.target])
         result[{m_labels[arc.source], m_labels[arc.target]}] += arc.length;
