@@ -49,6 +49,7 @@ struct Cut_graphs
     coarse = make_coarse_graph(fine, groups, execution);
     straighten_borders(surface, fine, coarse.node, coarse.graph, execution.is_parallel());
     measure_volumes(surface, coarse.node, coarse.graph, execution.is_parallel());
+    coarse.graph.keep_seam_lengths();
     decltype(fine.centre)().swap(fine.centre); // only the coarse graph is made of these
   }
 };

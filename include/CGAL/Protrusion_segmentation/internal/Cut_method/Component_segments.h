@@ -108,8 +108,9 @@ private:
         labels[group[f]] = m_labels[f];
       Face_borders borders(graphs.groups->graph, std::move(labels), number_of_segments());
       borders.refine(execution);
+      labels = borders.labels();
       for (Index f = 0; f < m_labels.size(); ++f)
-        m_labels[f] = borders.labels()[group[f]];
+        m_labels[f] = labels[group[f]];
     }
     Face_borders borders(graphs.fine, std::move(m_labels), number_of_segments());
     borders.refine(execution, graphs.groups ? band_of_groups : band_of_clusters);

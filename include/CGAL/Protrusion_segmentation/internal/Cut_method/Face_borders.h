@@ -64,7 +64,7 @@ public:
   }
 
   // the segment of every face
-  const std::vector<Index>& labels() const { return m_partition.segments(); }
+  std::vector<Index> labels() const { return m_partition.segments(); }
 
 private:
   // All pairs of segments that share a border, the lower one first.

@@ -44,11 +44,11 @@ public:
 
   Graph_partition(const Weighted_dual_graph& graph, std::vector<Index> segments)
     : m_graph(graph),
-      m_segments(std::move(segments)),
-      m_is_inner(graph.number_of_nodes(), false),
-      m_stamps(graph.number_of_nodes(), 0),
-      m_distances(graph.number_of_nodes(), 0)
+      m_sides(std::move(segments)),
+      m_visits(graph.number_of_nodes())
   {
+    for (Index& side : m_sides) // still the segment
+      side = side_of(side, false);
     for (double area : graph.area)
       m_largest_size = (std::max)(m_largest_size, std::sqrt(area));
   }
@@ -56,19 +56,25 @@ public:
   const Weighted_dual_graph& graph() const { return m_graph; }
   // of a node: the square root of its area
   double largest_size() const { return m_largest_size; }
-  Index segment(Index node) const { return m_segments[node]; }
-  const std::vector<Index>& segments() const { return m_segments; }
-  void set_segment(Index node, Index segment) { m_segments[node] = segment; }
+  Index segment(Index node) const { return m_sides[node] / 2; }
+  std::vector<Index> segments() const
+  {
+    std::vector<Index> result(m_sides.size());
+    std::transform(m_sides.begin(), m_sides.end(), result.begin(), [](Index side) { return side / 2; });
+    return result;
+  }
+  void set_segment(Index node, Index segment) { m_sides[node] = side_of(segment, is_inner(node)); }
 
-  bool is_inner(Index node) const { return m_is_inner[node]; }
-  void set_inner(Index node, bool value) { m_is_inner[node] = value; }
+  bool is_inner(Index node) const { return m_sides[node] % 2 == 1; }
+  void set_inner(Index node, bool value) { m_sides[node] = side_of(segment(node), value); }
+  bool is_on_side(Index node, Index segment, bool inner) const { return m_sides[node] == side_of(segment, inner); }
   // Marks the nodes of `inner` and no other node of `nodes`.
   void mark(const Nodes& nodes, const Nodes& inner)
   {
     for (Index i : nodes)
-      m_is_inner[i] = false;
+      set_inner(i, false);
     for (Index i : inner)
-      m_is_inner[i] = true;
+      set_inner(i, true);
   }
   Nodes marked(const Nodes& nodes) const
   {
@@ -86,11 +92,11 @@ public:
   {
     for (Index i : inner)
     {
-      CGAL_assertion(m_is_inner[i] && m_segments[i] == segment);
+      CGAL_assertion(is_on_side(i, segment, true));
       for (Index arc : m_graph.arcs(i))
       {
         const Index j = m_graph.target[arc];
-        if (m_segments[j] == segment && !m_is_inner[j])
+        if (is_on_side(j, segment, false))
           visit(arc, i, j);
       }
     }
@@ -105,9 +111,9 @@ public:
                         {
                           if (inside.empty() || inside.back() != i)
                             inside.push_back(i);
-                          if (m_stamps[j] != m_stamp)
+                          if (m_visits[j].stamp != m_stamp)
                             outside.push_back(j);
-                          m_stamps[j] = m_stamp;
+                          m_visits[j].stamp = m_stamp;
                         });
     return {std::move(inside), std::move(outside)};
   }
@@ -147,8 +153,7 @@ public:
                                               double limit = (std::numeric_limits<double>::infinity)())
   {
     return nodes_by_distance(
-      seeds, [this, segment, inner](Index i) { return m_segments[i] == segment && m_is_inner[i] == inner; },
-      length, limit);
+      seeds, [this, side = side_of(segment, inner)](Index i) { return m_sides[i] == side; }, length, limit);
   }
 
   // What the border of a set costs within a side of a cut, if of each node the given share lies in the set, of all
@@ -158,16 +163,15 @@ public:
     ++m_stamp;
     for (std::size_t k = 0; k < nodes.size(); ++k)
     {
-      m_stamps[nodes[k]] = m_stamp;
-      m_distances[nodes[k]] = shares[k];
+      m_visits[nodes[k]] = {m_stamp, shares[k]};
     }
     double cost = 0;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       for (Index arc : m_graph.arcs(nodes[k]))
       {
         const Index j = m_graph.target[arc];
-        const float share = m_stamps[j] == m_stamp ? m_distances[j] : 0;
-        if (m_segments[j] == segment && m_is_inner[j] == inner && share < shares[k])
+        const float share = m_visits[j].stamp == m_stamp ? m_visits[j].distance : 0;
+        if (is_on_side(j, segment, inner) && share < shares[k])
           cost += m_graph.capacity[arc] * (shares[k] - share);
       }
     return cost;
@@ -179,8 +183,8 @@ public:
     const std::uint32_t in_set = m_stamp + 1;
     m_stamp += 2;
     for (Index i : nodes)
-      m_stamps[i] = in_set;
-    return extend(nodes.front(), [&](Index j) { return m_stamps[j] == in_set; }).size() == nodes.size();
+      m_visits[i].stamp = in_set;
+    return extend(nodes.front(), [&](Index j) { return m_visits[j].stamp == in_set; }).size() == nodes.size();
   }
 
   // The nodes connected to `seed` over nodes for which `is_inside` holds.
@@ -201,13 +205,23 @@ public:
     mark(nodes, main);
     const Nodes rest = largest_component(nodes, segment, false);
     for (Index i : nodes)
-      m_is_inner[i] = true;
+      set_inner(i, true);
     for (Index i : rest)
-      m_is_inner[i] = false;
+      set_inner(i, false);
     return marked(nodes);
   }
 
 private:
+  // of a node, the last operation that reached it, and at which distance
+  struct Visit
+  {
+    std::uint32_t stamp = 0;
+    float distance = 0;
+  };
+
+  // A segment and one of its sides as one number: both are asked for wherever a graph is searched.
+  static Index side_of(Index segment, bool inner) { return 2 * segment + (inner ? 1 : 0); }
+
   // The component of largest area among the nodes of one side; the first of equals.
   Nodes largest_component(const Nodes& nodes, Index segment, bool inner)
   {
@@ -216,10 +230,9 @@ private:
     double largest_area = -1;
     for (Index i : nodes)
     {
-      if (m_is_inner[i] != inner || m_stamps[i] == m_stamp)
+      if (is_inner(i) != inner || m_visits[i].stamp == m_stamp)
         continue;
-      Nodes component =
-        extend(i, [&](Index j) { return m_segments[j] == segment && m_is_inner[j] == inner; });
+      Nodes component = extend(i, [this, side = side_of(segment, inner)](Index j) { return m_sides[j] == side; });
       const double component_area = area(component);
       if (component_area > largest_area)
       {
@@ -240,7 +253,7 @@ private:
     while (!m_queue.empty())
     {
       const auto [node, distance] = m_queue.pop();
-      if (distance > m_distances[node])
+      if (distance > m_visits[node].distance)
         continue;
       if (distance > limit)
         break;
@@ -253,10 +266,9 @@ private:
 
   void offer(Index node, float distance)
   {
-    if (m_stamps[node] == m_stamp && m_distances[node] <= distance)
+    if (m_visits[node].stamp == m_stamp && m_visits[node].distance <= distance)
       return;
-    m_stamps[node] = m_stamp;
-    m_distances[node] = distance;
+    m_visits[node] = {m_stamp, distance};
     m_queue.push(node, distance);
   }
 
@@ -264,14 +276,14 @@ private:
   Nodes extend(Index seed, IsInside is_inside)
   {
     Nodes nodes(1, seed);
-    m_stamps[seed] = m_stamp;
+    m_visits[seed].stamp = m_stamp;
     for (std::size_t k = 0; k < nodes.size(); ++k)
       for (Index arc : m_graph.arcs(nodes[k]))
       {
         const Index j = m_graph.target[arc];
-        if (m_stamps[j] != m_stamp && is_inside(j))
+        if (m_visits[j].stamp != m_stamp && is_inside(j))
         {
-          m_stamps[j] = m_stamp;
+          m_visits[j].stamp = m_stamp;
           nodes.push_back(j);
         }
       }
@@ -280,11 +292,9 @@ private:
 
   const Weighted_dual_graph& m_graph;
   double m_largest_size = 0;
-  std::vector<Index> m_segments; // of every node
-  std::vector<bool> m_is_inner;
-  std::vector<std::uint32_t> m_stamps; // the last operation that reached a node
+  std::vector<Index> m_sides; // of every node
+  std::vector<Visit> m_visits; // of every node
   std::uint32_t m_stamp = 0;
-  std::vector<float> m_distances; // for the operation that reached it
   Distance_queue m_queue;
 };
 

@@ -43,7 +43,7 @@ public:
       for (Index arc : m_partition.graph().arcs(m_queue[k]))
       {
         const Index j = m_partition.graph().target[arc];
-        if (!is_on_side(j, segment, inner))
+        if (!m_partition.is_on_side(j, segment, inner))
           continue;
         if (m_front[j] == none)
           add(j, m_front[m_queue[k]]);
@@ -58,11 +58,6 @@ public:
 private:
   static constexpr Index none = Indexed_surface::no_face();
 
-  bool is_on_side(Index node, Index segment, bool inner) const
-  {
-    return m_partition.segment(node) == segment && m_partition.is_inner(node) == inner;
-  }
-
   void add(Index node, Index front)
   {
     m_front[node] = front;
@@ -75,14 +70,14 @@ private:
   {
     m_queue.clear();
     for (Index i : changed)
-      if (is_on_side(i, segment, inner))
+      if (m_partition.is_on_side(i, segment, inner))
         add(i, static_cast<Index>(m_queue.size()));
     const std::size_t number_of_new = m_queue.size();
     for (Index i : changed)
       for (Index arc : m_partition.graph().arcs(i))
       {
         const Index j = m_partition.graph().target[arc];
-        if (is_on_side(j, segment, inner) && m_front[j] == none)
+        if (m_partition.is_on_side(j, segment, inner) && m_front[j] == none)
           add(j, static_cast<Index>(m_queue.size()));
       }
     return m_queue.size() > number_of_new;

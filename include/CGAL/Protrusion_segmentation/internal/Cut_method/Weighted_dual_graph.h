@@ -34,6 +34,7 @@ struct Weighted_dual_graph
   std::vector<float> curvature;             // mean along the border, positive where concave
   std::vector<float> border_length;         // of the edges that the two nodes share
   std::vector<float> concave_border_length; // of a coarse graph, see `concave_border()`
+  std::vector<float> kept_seam_length;      // of a coarse graph, see `keep_seam_lengths()`
   std::vector<float> capacity;              // the border length, cheap on concave seams: what a cut costs
 
   std::vector<double> area; // of the nodes
@@ -77,9 +78,20 @@ struct Weighted_dual_graph
     return curvature[arc] > seam_curvature ? border_length[arc] : 0;
   }
   // The length of an arc, lengthened where it crosses a concave seam: distances from a tip grow there.
-  double seam_length(Index arc) const
+  float seam_length(Index arc) const
   {
-    return length[arc] * (1 + length_of_angle * (std::max)(0.f, curvature[arc]));
+    if (!kept_seam_length.empty())
+      return kept_seam_length[arc];
+    return static_cast<float>(length[arc] * (1 + length_of_angle * (std::max)(0.f, curvature[arc])));
+  }
+  // Where they are asked for again and again. No length may change afterwards.
+  void keep_seam_lengths()
+  {
+    std::vector<float> lengths;
+    lengths.reserve(target.size());
+    for (Index arc = 0; arc < target.size(); ++arc)
+      lengths.push_back(seam_length(arc));
+    kept_seam_length = std::move(lengths);
   }
   // the two as functions of an arc, which must not outlive the graph
   auto lengths() const

@@ -45,6 +45,7 @@ public:
       m_from_source(band.size(), 0),
       m_to_sink(band.size(), 0)
   {
+    reserve(partition.graph(), band);
     for (Index i = 0; i < band.size(); ++i)
       number[band[i]] = i;
     for (Index i = 0; i < band.size(); ++i)
@@ -92,6 +93,17 @@ private:
   };
   using Graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, Arc,
                                                    boost::no_property, Index, Index>;
+
+  void reserve(const Weighted_dual_graph& graph, const Nodes& band)
+  {
+    std::size_t most_arcs = 4 * band.size(); // from and to both terminals
+    for (Index node : band)
+      most_arcs += graph.arcs(node).size();
+    m_ends.reserve(most_arcs);
+    m_arcs.reserve(most_arcs);
+    m_opposites.reserve(most_arcs);
+    m_next_to_higher.reserve(band.size());
+  }
 
   // Adds the arcs from a node of the band, to others of it by their numbers. Since the nodes come in the order of their
   // numbers, too, the opposite of an arc to a lower node is the first of that node's arcs that has none yet.

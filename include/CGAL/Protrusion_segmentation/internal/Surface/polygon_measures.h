@@ -40,6 +40,14 @@ Simple_cartesian<double>::Vector_3 polygon_area_vector(const Corners& corners)
   return sum / 2;
 }
 
+// The mean of the three corners, rounded as `polygon_centroid()` rounds it.
+template <typename Corners>
+Simple_cartesian<double>::Point_3 triangle_centroid(const Corners& corners)
+{
+  const Simple_cartesian<double>::Point_3 origin = corners[0];
+  return origin + ((corners[1] - origin) + (corners[2] - origin)) / 3.;
+}
+
 // The centroid of the fan of triangles around the first corner, each triangle signed by the normal: right for
 // every simple planar polygon, convex or not. The mean of the corners where that is far off, as for folded or
 // crossed polygons, the signs of whose triangles nearly cancel, and where there is no area.
