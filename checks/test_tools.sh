@@ -753,6 +753,71 @@ test_files_of_earlier_runs()
   rm -r earlier
 }
 
+# What is there of another mesh is neither taken for that of this one nor lost. Names are names, also with a "%d".
+test_meshes_of_the_same_name()
+{
+  mkdir -p same/a same/b same/d
+  cp outputs/teddy.off same/a/x.off
+  cp "$data/tetrahedron.off" same/b/x.off
+  expect 0 "$segment" same/a/x.off -k 2 --output-folder same/out
+  cp same/out/x.seg same/x.seg
+  local again
+  for again in "" --again; do
+    # shellcheck disable=SC2086
+    run "$segment" same/b/x.off -k 2 --output-folder same/out $again
+    [ "$code" = 1 ] || fail "$command: takes the place of another mesh"
+    expect_text stderr "same/b/x.off: same/out/x.json tells of same/a/x.off"
+  done
+  cmp -s same/out/x.seg same/x.seg || fail "$command: the segments of another mesh are lost"
+  expect 0 "$segment" same/a/x.off -k 2 --output-folder same/out
+  expect_text stdout "1 already there"
+  (cd same && "$segment" a/x.off -k 2 --output-folder out >/dev/null) || fail "the same mesh from another folder"
+
+  cp outputs/teddy.off same/d/m0.off
+  cp "$data/tetrahedron.off" "same/d/m%d.off"
+  expect 0 "$segment" same/d -k 2 --format ply --format seg --output-folder same/outd
+  expect_files same/outd m0.ply m0.seg m0.json m%d.ply m%d.seg m%d.json
+  [ "$(wc -l <same/outd/m%d.seg)" = 4 ] || fail "$command: not the labels of its faces"
+  expect 0 "$segment" same/d -k 2 --format ply --format seg --output-folder same/outd
+  expect_text stdout "2 already there"
+
+  mkdir same/d/shut
+  chmod 0 same/d/shut
+  if ! [ -r same/d/shut ]; then # root may read all
+    expect 1 "$segment" same/d --output-folder same/outd
+    expect_one_line "same/d/shut: cannot be read"
+  fi
+  rm -r same
+}
+
+# Names as long as a folder can hold them, and the standard output by its name.
+test_long_and_special_names()
+{
+  local long
+  long=$(printf 'a%.0s' {1..250})
+  expect 0 "$segment" "$data/tetrahedron.off" -k 2 -o "$long.seg"
+  [ "$(wc -l <"$long.seg")" = 4 ] || fail "$command: no labels"
+  rm "$long.seg"
+  command="the record to a redirected standard output"
+  (echo before && "$segment" "$data/tetrahedron.off" -k 2 --quiet --json /dev/stdout && echo after) >stdout
+  [ "$(head -1 stdout)" = before ] && [ "$(tail -1 stdout)" = after ] || fail "what was written before or after is lost"
+  expect_text stdout '"faces": 4'
+}
+
+# Who ends the program while it writes gets no file that is half written, and none under another name.
+test_ended_while_writing()
+{
+  mkdir ended_writing
+  local delay
+  for delay in 0.15 0.25 0.35 0.45 0.6 0.8; do
+    timeout --signal=TERM "$delay" "$segment" outputs/large.off -k 2 -o ended_writing/a.vtp -o ended_writing/a.obj \
+      -o ended_writing/a.ply -o ended_writing/a.seg >/dev/null 2>&1
+  done
+  command="ended while writing"
+  [ -z "$(find ended_writing -name '*.part')" ] || fail "files are left under other names"
+  rm -r ended_writing
+}
+
 # A mesh whose process the system ends, here for want of time, has failed, and no other.
 test_ended_process()
 {
@@ -917,6 +982,9 @@ test_VTP
 test_collection
 test_files_of_earlier_runs
 test_ended_process
+test_ended_while_writing
+test_meshes_of_the_same_name
+test_long_and_special_names
 test_smooth_borders
 test_tips
 test_json_schema

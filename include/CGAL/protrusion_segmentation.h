@@ -271,6 +271,16 @@ OutputIterator protrusion_tips(const FaceGraph& tmesh,
     tmesh, internal::checked_count("number_of_tips", number_of_tips), tips, distance, np);
 }
 
+#ifndef DOXYGEN_RUNNING
+template <typename ConcurrencyTag = Sequential_tag, typename FaceGraph, typename Number, typename OutputIterator, typename... Others>
+OutputIterator protrusion_tips(const FaceGraph&, Number, OutputIterator tips, const Others&...)
+{
+  static_assert(sizeof...(Others) > 100,
+                "what follows tips must be a distance, such as Geodesic_distance(), and then named parameters");
+  return tips;
+}
+#endif
+
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
@@ -312,6 +322,8 @@ counts as one on the face whose segment the speck gets.
 \return as for `segmentation_via_protrusion_tips()`; at most one segment for each tip and each component
 
 \throw std::invalid_argument if a face of `tips` is not in `tmesh`, or if a coordinate is not finite
+
+Complexity: that of the method, and with hundreds of tips, above that, linear in their number.
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename FaceGraph,
@@ -432,6 +444,17 @@ Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
   return protrusion_hierarchy<ConcurrencyTag>(tmesh, maximum_number_of_segments,
                                               Protrusion_segmentation::Minimum_cut_method(), np);
 }
+
+#ifndef DOXYGEN_RUNNING
+template <typename ConcurrencyTag = Sequential_tag, typename FaceGraph, typename Number, typename... Others>
+Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(const FaceGraph&, Number, const Others&...)
+{
+  static_assert(sizeof...(Others) > 100,
+                "what follows maximum_number_of_segments must be a method and then named parameters; a distance belongs to a "
+                "method, as in Histogram_method(Landmark_geodesic_distance(0.1))");
+  return {};
+}
+#endif
 
 } // namespace CGAL
 

@@ -113,6 +113,7 @@ void a_straight_bar(int length, int width, int height)
   CHECK_CLOSE(clues.thickness, thickness(opening * length / 2, half_area, opening), precision);
   CHECK_EQUAL(clues.inner_concavity, 0);
   CHECK_EQUAL(clues.several_loops, 0);
+  CHECK_CLOSE(clues.flatness, opening / half_area, precision); // the end of the bar alone has no opposite
   // nothing changes along the bar: the strip is measured from the centres of the first squares on
   const double strip = 0.4 * std::sqrt(half_area);
   CHECK_CLOSE(clues.larger_widening, std::log((strip + 0.5) / strip), precision);
@@ -270,6 +271,20 @@ void a_trough_may_lie_anywhere()
   CHECK_CLOSE(moved.larger_shoulder, 0, precision);
 }
 
+// A block on a large plate, cut off along the plate: its walls face all ways, its top one.
+void a_low_block_is_flat()
+{
+  for (const int height : {1, 3, 12})
+  {
+    Cubes cubes;
+    add_cubes(cubes, {-12, -12, -1}, {18, 18, 0});
+    add_cubes(cubes, {0, 0, 0}, {6, 6, height});
+    const Cut_mesh block(voxels(cubes));
+    const Cut_clues clues = block.clues([](const Point& p) { return p[2] > 0.1; });
+    CHECK_CLOSE(clues.flatness, 36. / (36 + 24 * height), precision);
+  }
+}
+
 // A sheet as narrow as its cut, and one that sticks out of a wide one.
 void a_flat_sheet()
 {
@@ -282,6 +297,7 @@ void a_flat_sheet()
       with_arm.add_face(face);
   const Cut_clues foot = Cut_mesh(with_arm).clues(below(0, 12)), middle = Cut_mesh(sheet(40, 4)).clues(below(0, 20));
   CHECK(foot.larger_shoulder > 0.5 && foot.larger_shoulder <= 1);
+  CHECK_EQUAL(middle.flatness, 0);
   CHECK(std::abs(middle.larger_shoulder) < 0.1 && std::abs(middle.smaller_shoulder) < 0.1);
 }
 
@@ -290,7 +306,7 @@ std::vector<double> values(const Cut_clues& c)
   return {c.concave_share,    c.relative_length, c.segment_size,    c.larger_widening,
           c.smaller_widening, c.roundness,       c.neighbors,       c.contrast,
           c.mean_cost,        c.thickness,       c.inner_concavity, c.several_loops,
-          c.larger_shoulder,  c.smaller_shoulder};
+          c.larger_shoulder,  c.smaller_shoulder, c.flatness};
 }
 
 std::vector<double> values_of_first_arm(const Test_mesh& mesh)
@@ -326,6 +342,7 @@ int main()
   a_rod_on_a_plate();
   a_bump_is_no_shoulder();
   a_trough_may_lie_anywhere();
+  a_low_block_is_flat();
   a_flat_sheet();
   scale_position_and_orientation_do_not_matter();
   return check::result();

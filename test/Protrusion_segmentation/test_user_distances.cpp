@@ -101,6 +101,7 @@ struct Faulty_distance
   double answer = 0;                 // for the last face
   std::size_t superfluous_faces = 0; // or missing ones, by overflow
   Index extreme_face = 0;            // beyond the surface's faces, if not 0
+  double to_itself = 0;              // the answer for the source
 
   struct On_surface
   {
@@ -112,6 +113,7 @@ struct Faulty_distance
       distances.resize(surface.number_of_faces());
       for (Index f = 0; f < surface.number_of_faces(); ++f)
         distances[f] = std::abs(double(f) - double(source));
+      distances[source] = distance.to_itself;
       distances.back() += distance.answer;
       distances.resize(distances.size() + distance.superfluous_faces);
     }
@@ -175,6 +177,7 @@ void nonsense_is_refused()
   check_refused({0, std::size_t(0) - 1, 0}, " of a surface with " + n + " faces is given for");
   check_refused({0, 0, static_cast<Index>(small_mesh().number_of_faces())},
                 "face_of_largest_sum() of the distance is " + n);
+  check_refused({0, 0, 0, 1}, " to itself is 1");
 }
 
 int main()

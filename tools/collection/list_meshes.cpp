@@ -39,13 +39,17 @@ void add_folder(const std::string& folder,
   const fs::recursive_directory_iterator end;
   fs::recursive_directory_iterator entry(folder, error);
   std::vector<fs::path> files;
+  fs::path last = folder;
   for (; !error && entry != end; entry.increment(error))
+  {
+    last = entry->path();
     if (is_output_beside && entry->is_directory() && is_within(entry->path(), output_folder))
       entry.disable_recursion_pending();
     else if (entry->is_regular_file() && has_mesh_extension(entry->path().string()))
       files.push_back(entry->path());
+  }
   if (error)
-    throw Error(folder, "cannot be read: " + error.message());
+    throw Error(last.string(), "cannot be read: " + error.message());
   if (files.empty())
     throw Error(folder, "has no mesh in it (known are " + known_formats() + ")");
   std::sort(files.begin(), files.end());

@@ -89,11 +89,16 @@ public:
   {
     std::vector<const Mesh_in_collection*> left;
     for (const Mesh_in_collection& mesh : m_meshes)
-      if (m_command_line.is_everything_done_again || !is_done(mesh))
+      if (const std::string other = other_mesh_with_its_name(mesh); !other.empty())
+        tell_failure(mesh.input + ": " + path(mesh, "json").string() + " tells of " + other +
+                     ", whose segments would be lost; another --output-folder is needed");
+      else if (m_command_line.is_everything_done_again || !is_done(mesh))
         left.push_back(&mesh);
       else
+      {
+        ++m_number_of_skipped;
         tell_done(mesh, "already there", formats_in(record_of(mesh)));
-    m_number_of_skipped = m_meshes.size() - left.size();
+      }
     run_in_processes(left.size(), m_command_line.jobs, [&](std::size_t i) { return segment(*left[i]); },
                      [&](std::size_t i, const Outcome& outcome) { tell(*left[i], outcome); });
   }
@@ -171,6 +176,7 @@ private:
       for (const std::string& format : m_command_line.formats)
         names.segments.push_back(path(mesh, format).string());
       names.json = path(mesh, "json").string();
+      names.have_numbers = false;
       write_findings(findings, names);
       return {false, summary(findings) + (findings.note.empty() ? "" : " (" + findings.note + ")")};
     }
@@ -216,6 +222,18 @@ private:
     return formats;
   }
 
+  // The mesh that the record is of, if that is another file; empty if it is not, or is there no more. The name may have been
+  // given from another folder, and then says nothing.
+  std::string other_mesh_with_its_name(const Mesh_in_collection& mesh) const
+  {
+    const Json input = record_of(mesh).value("input", Json());
+    if (!input.is_string())
+      return "";
+    const std::string other = input.get<std::string>();
+    std::error_code error;
+    return fs::exists(other, error) && place_of_file(other) != place_of_file(mesh.input) ? other : "";
+  }
+
   // Was it segmented with the same options after the mesh was written? The record is the last of its files that appears.
   bool is_done(const Mesh_in_collection& mesh) const
   {
@@ -240,8 +258,13 @@ private:
   // The record says so, too; then it is tried again the next time. Of a name that is no file, as of a slip, there is none.
   void fail(const Mesh_in_collection& mesh, const std::string& message)
   {
+    tell_failure(is_there(mesh) ? record_failure(mesh, message) : message);
+  }
+
+  void tell_failure(const std::string& message)
+  {
     ++m_number_of_failures;
-    m_teller.tell(is_there(mesh) ? record_failure(mesh, message) : message, true);
+    m_teller.tell(message, true);
   }
 
   // Returns what is to be told of it.

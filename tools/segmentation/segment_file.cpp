@@ -221,12 +221,15 @@ void write_findings(Findings& findings, const Output_names& names)
   const Segmented_soup cut = findings.smoothed ? soup_of(*findings.smoothed, findings.mesh) : Segmented_soup();
   Output_files files;
   for (const std::string& name : names.segments)
-    if (names.caps != Caps::NONE && is_pattern(name))
+  {
+    const Segmented_soup& whole = findings.smoothed && holds_a_mesh(name) ? cut : segmented;
+    if (!names.have_numbers || !is_pattern(name))
+      add_output(name, whole, files);
+    else if (names.caps != Caps::NONE)
       add_parts(name, make_closed_parts(findings, names.caps), files);
-    else if (findings.smoothed && holds_a_mesh(name))
-      add_output(name, cut, findings.segmentation.number_of_segments, files);
     else
-      add_output(name, segmented, findings.segmentation.number_of_segments, files);
+      add_parts(name, parts_of(whole, findings.segmentation.number_of_segments), files);
+  }
   findings.mesh.soup = std::move(segmented.soup);
   if (!names.report.empty())
     files.add(names.report, [&](std::ostream& out) { write_report(out, findings); });

@@ -38,6 +38,7 @@ struct Output_names
   std::string json;   // empty: none
   std::string borders; // empty: none
   Caps caps = Caps::NONE; // of names with a number for each segment
+  bool have_numbers = true; // whether a "%d" in one of `segments` stands for that; else it is a name like others
 };
 
 // Throws an `Error` if one of them cannot be written. Good to know before a long computation.

@@ -65,9 +65,11 @@ void Output_files::add(const std::string& name, const Write& write)
 
 void Output_files::publish()
 {
+  m_deferred_signals.reset(); // who reads a pipe may wait for ever
   for (const File& file : m_files)
     if (!file.temporary)
       publish_stream(file);
+  m_deferred_signals.emplace();
   for (const File& file : m_files)
     if (file.temporary)
       publish(file);
@@ -77,9 +79,7 @@ void Output_files::publish()
 
 bool Output_files::is_stream(const std::string& name)
 {
-  std::error_code error;
-  return name == "-" || (fs::exists(name, error) && !fs::is_regular_file(name, error) &&
-                         !fs::is_directory(name, error));
+  return name == "-" || CGAL::Protrusion_segmentation::internal::is_stream(name);
 }
 
 fs::path Output_files::target_of(const std::string& name)
@@ -109,7 +109,7 @@ void Output_files::publish(const File& file)
 void Output_files::publish_stream(const File& file)
 {
   const auto write = [&](std::ostream& out) { out << file.content; };
-  if (file.name != "-")
+  if (file.name != "-" && !CGAL::Protrusion_segmentation::internal::is_standard_output(file.name))
     return write_file(file.name, file.name, write);
   write(std::cout);
   finish_standard_output();

@@ -5,11 +5,14 @@
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_OUTPUT_FILES_H
 #define PROTRUSION_SEGMENTATION_TOOLS_WRITING_OUTPUT_FILES_H
 
+#include "writing/Deferred_signals.h"
+
 #include <CGAL/Protrusion_segmentation/internal/IO/write_complete_file.h>
 
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -51,7 +54,7 @@ private:
     std::string content;                       // of anything else
   };
 
-  // Is this no regular file, and cannot become one?
+  // the standard output as "-" or as a file, a device or a pipe
   static bool is_stream(const std::string& name);
 
   // Links are followed.
@@ -63,6 +66,7 @@ private:
 
   static void publish_stream(const File& file);
 
+  std::optional<Deferred_signals> m_deferred_signals{std::in_place}; // until all else is gone
   std::vector<File> m_files;
   std::vector<fs::path> m_made_folders; // the outermost first
 };

@@ -114,22 +114,6 @@ Segmented_soup part_of(const Segmented_soup& whole, const std::vector<std::size_
   return part;
 }
 
-void add_file(const std::string& name, const Segmented_soup& segmented, Output_files& files)
-{
-  files.add(name, [&](std::ostream& out) { find_format(name)->write(out, segmented); });
-}
-
-std::vector<Segmented_soup> parts_of(const Segmented_soup& segmented, std::size_t number_of_segments)
-{
-  std::vector<std::vector<std::size_t>> faces_of(number_of_segments);
-  for (std::size_t face = 0; face < segmented.segments.size(); ++face)
-    faces_of[segmented.segments[face]].push_back(face);
-  std::vector<Segmented_soup> parts;
-  for (const std::vector<std::size_t>& faces : faces_of)
-    parts.push_back(part_of(segmented, faces));
-  return parts;
-}
-
 } // namespace
 
 std::vector<std::string> output_formats()
@@ -153,7 +137,7 @@ bool holds_a_mesh(const std::string& name)
   return find_format(name)->holds_a_mesh;
 }
 
-void check_output_name(const std::string& name)
+void check_output_name(const std::string& option, const std::string& name)
 {
   const Format* format = find_format(name);
   if (!format)
@@ -161,33 +145,38 @@ void check_output_name(const std::string& name)
     std::string known;
     for (const Format& f : formats())
       known += (known.empty() ? "" : ", ") + f.extension;
-    throw std::invalid_argument("-o: '" + name + "' has none of the extensions " + known);
+    throw std::invalid_argument(option + ": '" + name + "' has none of the extensions " + known);
   }
   if (!is_pattern(name))
     return;
   if (!format->holds_a_mesh)
-    throw std::invalid_argument("-o: '" + name + "' has a %d, but " + format->extension +
+    throw std::invalid_argument(option + ": '" + name + "' has a %d, but " + format->extension +
                                 " files are of the whole mesh");
   if (!is_valid_pattern(name))
-    throw std::invalid_argument("-o: '" + name + "' has a %d elsewhere than once in the file's name");
+    throw std::invalid_argument(option + ": '" + name + "' has a %d elsewhere than once in the file's name");
+}
+
+std::vector<Segmented_soup> parts_of(const Segmented_soup& segmented, std::size_t number_of_segments)
+{
+  std::vector<std::vector<std::size_t>> faces_of(number_of_segments);
+  for (std::size_t face = 0; face < segmented.segments.size(); ++face)
+    faces_of[segmented.segments[face]].push_back(face);
+  std::vector<Segmented_soup> parts;
+  for (const std::vector<std::size_t>& faces : faces_of)
+    parts.push_back(part_of(segmented, faces));
+  return parts;
 }
 
 void add_parts(const std::string& pattern, const std::vector<Segmented_soup>& parts, Output_files& files)
 {
   files.make_folder_of(pattern);
   for (std::size_t s = 0; s < parts.size(); ++s)
-    add_file(name_of_part(pattern, s), parts[s], files);
+    add_output(name_of_part(pattern, s), parts[s], files);
 }
 
-void add_output(const std::string& name,
-                const Segmented_soup& segmented,
-                std::size_t number_of_segments,
-                Output_files& files)
+void add_output(const std::string& name, const Segmented_soup& segmented, Output_files& files)
 {
-  if (is_pattern(name))
-    add_parts(name, parts_of(segmented, number_of_segments), files);
-  else
-    add_file(name, segmented, files);
+  files.add(name, [&](std::ostream& out) { find_format(name)->write(out, segmented); });
 }
 
 } // namespace tool

@@ -26,17 +26,18 @@ std::vector<std::string> output_extensions();
 // Does a file of this name hold a mesh, or only the labels of the faces of the file that was read?
 bool holds_a_mesh(const std::string& name);
 
-// Throws std::invalid_argument if no file can have this name: an unknown extension, or a "%d" where
+// Throws std::invalid_argument if no file can have this name, which an option gives: an unknown extension, or a "%d" where
 // there can be none.
-void check_output_name(const std::string& name);
+void check_output_name(const std::string& option, const std::string& name);
+
+// The faces of every segment, with the points that they need.
+std::vector<Segmented_soup> parts_of(const Segmented_soup& segmented, std::size_t number_of_segments);
 
 // One file for each part, in their order, of a name with a "%d".
 void add_parts(const std::string& pattern, const std::vector<Segmented_soup>& parts, Output_files& files);
 
-void add_output(const std::string& name,
-                const Segmented_soup& segmented,
-                std::size_t number_of_segments,
-                Output_files& files);
+// The whole in one file.
+void add_output(const std::string& name, const Segmented_soup& segmented, Output_files& files);
 
 } // namespace tool
 

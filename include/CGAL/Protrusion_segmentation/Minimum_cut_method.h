@@ -33,7 +33,7 @@ lies in a concave seam, its length, how suddenly the surface widens behind it, h
 the areas on both sides. The cuts are chosen together: the three best sets of cuts are kept while segments are added,
 each tried with its four best further cuts, and the set with the largest sum of values wins. Without a number of
 segments, the largest drop of what one more brings ends them, between cuts that are surely evident and cuts that are
-not. In the end, the borders between all neighboring segments become minimum cuts once more, on the faces.
+not, and hills, scales and pockets, which face one way as a whole, hardly count. In the end, the borders between all neighboring segments become minimum cuts once more, on the faces.
 
 A flat component, whose faces all have the same normal, is segmented by its outline.
 
@@ -101,7 +101,9 @@ Minimum_cut_method::segment(const Indexed_surface& surface,
                             std::optional<std::size_t> number_of_segments,
                             Execution& execution) const
 {
-  internal::Cut_segmentation segmentation(surface, m_distance, execution);
+  internal::Cut_segmentation segmentation(surface, m_distance, execution,
+                                          number_of_segments ? internal::default_cut_policy()
+                                                             : internal::evident_cut_policy());
   return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
                             : segmentation.with_evident_protrusions();
 }

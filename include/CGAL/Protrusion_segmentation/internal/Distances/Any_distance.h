@@ -83,6 +83,8 @@ inline void check_distances(const std::vector<double>& distances,
   for (std::size_t f = 0; f < distances.size(); ++f)
     if (!(distances[f] >= 0) || (std::isinf(distances[f]) && !may_be_infinite))
       fail(" to face " + std::to_string(f) + " is " + std::to_string(distances[f]));
+  if (distances[source] != 0)
+    fail(" to itself is " + std::to_string(distances[source]));
 }
 
 template <typename Distance>

@@ -7,8 +7,10 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_IO_WRITE_COMPLETE_FILE_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_IO_WRITE_COMPLETE_FILE_H
 
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <random>
 #include <string>
 #include <system_error>
@@ -33,14 +35,14 @@ bool write_file(const std::filesystem::path& file, const Write& write)
 // A free name in the same folder, as renaming replaces a file at once only within a file system.
 inline std::filesystem::path temporary_name_beside(const std::filesystem::path& file)
 {
+  constexpr std::size_t most_characters = 200; // of the file's name: longer ones than 255 bytes can hardly be
   std::random_device random;
   std::filesystem::path result;
   std::error_code ignored;
+  const std::string name = file.filename().string().substr(0, most_characters);
   do
-  {
-    result = file;
-    result += "." + std::to_string(random()) + ".part";
-  } while (std::filesystem::exists(result, ignored));
+    result = file.parent_path() / (name + "." + std::to_string(random()) + ".part");
+  while (std::filesystem::exists(result, ignored));
   return result;
 }
 
@@ -63,6 +65,21 @@ private:
   std::filesystem::path m_name;
 };
 
+// The standard output by its name as a file. That may be one that has been written to, which must not be replaced.
+inline bool is_standard_output(const std::string& file_name)
+{
+  return file_name == "/dev/stdout";
+}
+
+// Whether the name, if need be by links, is that of a device, a pipe or the standard output.
+inline bool is_stream(const std::string& file_name)
+{
+  std::error_code error;
+  return is_standard_output(file_name) ||
+         (std::filesystem::exists(file_name, error) && !std::filesystem::is_regular_file(file_name, error) &&
+          !std::filesystem::is_directory(file_name, error));
+}
+
 // Writes what `write(std::ostream&)` writes to `file_name`; returns false if that fails, and leaves
 // the file that was there, if any. Links are followed; devices and pipes are written directly.
 template <typename Write>
@@ -70,14 +87,19 @@ bool write_complete_file(const std::string& file_name, const Write& write)
 {
   namespace fs = std::filesystem;
 
+  if (is_standard_output(file_name))
+  {
+    std::ostream out(std::cout.rdbuf()); // with a format of its own
+    write(out);
+    return !out.flush().fail();
+  }
+  if (is_stream(file_name))
+    return write_file(file_name, write);
   std::error_code error;
   const fs::path target = fs::is_symlink(file_name, error) ? fs::weakly_canonical(file_name, error)
                                                            : fs::path(file_name);
   if (target.empty() || fs::is_directory(target, error))
     return false;
-  if (fs::exists(target, error) && !fs::is_regular_file(target, error))
-    return write_file(target, write);
-
   const Temporary_file temporary(target);
   if (!write_file(temporary.name(), write))
     return false;

@@ -53,14 +53,14 @@ inline double rand_index_error(const Segment_overlap& overlap)
   return static_cast<double>(disagreements) / static_cast<double>(number_of_pairs(n));
 }
 
-// Area outside the best match of each segment, where `largest` are the areas of those matches.
-// Rounding must not make a perfect match worse than perfect.
-inline double unmatched_rate(double area, const std::vector<double>& largest)
+// Area outside the best match of each segment, where `largest` are the areas of those matches. Rounding does not make a
+// perfect match worse than perfect: the area of a segment and that of a match with all of it are the same sum.
+inline double unmatched_rate(double area, const std::vector<Face_measure>& segments, const std::vector<double>& largest)
 {
-  double matched = 0;
-  for (const double match : largest)
-    matched += match;
-  return area > 0 ? (std::max)(0., (area - matched) / area) : 0;
+  double unmatched = 0;
+  for (std::size_t s = 0; s < segments.size(); ++s)
+    unmatched += (std::max)(0., segments[s].area - largest[s]);
+  return area > 0 ? unmatched / area : 0;
 }
 
 inline Hamming_distance hamming_distance(const Segment_overlap& overlap)
@@ -76,8 +76,8 @@ inline Hamming_distance hamming_distance(const Segment_overlap& overlap)
   }
 
   Hamming_distance result;
-  result.missing_rate = unmatched_rate(overlap.total().area, largest_of_second);
-  result.false_alarm_rate = unmatched_rate(overlap.total().area, largest_of_first);
+  result.missing_rate = unmatched_rate(overlap.total().area, overlap.second_segments(), largest_of_second);
+  result.false_alarm_rate = unmatched_rate(overlap.total().area, overlap.first_segments(), largest_of_first);
   result.distance = (result.missing_rate + result.false_alarm_rate) / 2;
   return result;
 }

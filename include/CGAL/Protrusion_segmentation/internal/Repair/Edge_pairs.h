@@ -182,7 +182,7 @@ private:
     // Faces that are oriented alike come first: they decide how the others are turned.
     for (const std::vector<Two>* pairs : {&opposite, &parallel})
       for (const Two& pair : *pairs)
-        m_number_of_unorientable_edges += join(pair[0], pair[1]) ? 0 : 1;
+        m_number_of_unorientable_edges += join(pair[0], pair[1]) ? 0u : 1u;
     return left;
   }
 

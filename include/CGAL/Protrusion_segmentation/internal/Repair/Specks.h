@@ -46,7 +46,7 @@ public:
       if (m_is_speck[m_component[face]])
       {
         is_left_out[m_joined.choice.kept[face]] = true;
-        count += m_component[face] == face ? 1 : 0; // a component is named after one of its faces
+        count += m_component[face] == face ? 1u : 0u; // a component is named after one of its faces
       }
     return count;
   }

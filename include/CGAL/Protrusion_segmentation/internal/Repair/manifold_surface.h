@@ -64,7 +64,7 @@ inline std::size_t number_of_components(const Edge_pairs& pairs)
   const std::vector<std::size_t> component = pairs.components();
   std::size_t count = 0;
   for (std::size_t face = 0; face < component.size(); ++face)
-    count += component[face] == face ? 1 : 0; // it is named after one of its faces
+    count += component[face] == face ? 1u : 0u; // it is named after one of its faces
   return count;
 }
 
