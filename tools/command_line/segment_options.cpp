@@ -92,7 +92,7 @@ void check_collection(const CLI::App& app, const Command_line& command_line)
     throw std::invalid_argument("several meshes or a folder of meshes need --output-folder");
   refuse({"--output", "--json", "--report", "--borders", "--tips"}, " has no meaning with --output-folder");
   for (const std::string& format : command_line.formats)
-    check_output_name("--format", "." + format);
+    check_output_name("--format", "mesh." + format);
   for (const std::string& input : command_line.inputs)
     if (input == "-")
       throw std::invalid_argument("the standard input is one mesh, which needs no --output-folder");

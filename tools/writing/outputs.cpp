@@ -145,7 +145,7 @@ void check_output_name(const std::string& option, const std::string& name)
     std::string known;
     for (const Format& f : formats())
       known += (known.empty() ? "" : ", ") + f.extension;
-    throw std::invalid_argument(option + ": '" + name + "' has none of the extensions " + known);
+    throw std::invalid_argument(option + ": '" + lower_case_extension(name) + "' is none of the extensions " + known);
   }
   if (!is_pattern(name))
     return;
