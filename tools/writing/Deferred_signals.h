@@ -40,6 +40,9 @@ public:
       std::raise(signal);
   }
 
+  // Is there one that ends the program when the object is gone?
+  static bool is_any_waiting() { return remembered() != 0; }
+
 private:
   using Handler = void (*)(int);
 

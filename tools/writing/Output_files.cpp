@@ -28,6 +28,7 @@ void Output_files::check(const std::string& name)
 {
   if (is_stream(name))
     return;
+  const Deferred_signals deferred_signals;
   const Temporary_file temporary(target_of(name));
   write_file(name, temporary.name(), [](std::ostream&) {});
 }
@@ -65,6 +66,8 @@ void Output_files::add(const std::string& name, const Write& write)
 
 void Output_files::publish()
 {
+  if (Deferred_signals::is_any_waiting())
+    return; // nothing appears, and the program ends when all is removed
   m_deferred_signals.reset(); // who reads a pipe may wait for ever
   for (const File& file : m_files)
     if (!file.temporary)
