@@ -54,7 +54,9 @@ void true_parts_of_a_large_surface_are_found()
 
 void evident_protrusions_are_counted_without_a_number()
 {
-  // cells half as wide as an arm; of larger ones, scraps beside an arm may count
+  for (const std::size_t arms : {3, 8})
+    CHECK_EQUAL(automatic_segmentation(star(arms)).number, arms + 1);
+  // Cells half as wide as an arm: of such as wide as an arm, five arms leave a scrap of the ball that counts.
   constexpr double length = 2, radius = 0.25, length_step = 0.04, cell = 0.16;
   for (std::size_t arms = 1; arms <= 12; ++arms)
     CHECK_EQUAL(automatic_segmentation(star(arms, length, radius, length_step, cell)).number, arms + 1);
