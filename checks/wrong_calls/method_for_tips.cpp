@@ -6,12 +6,9 @@
 
 #include "mesh.h"
 
-#include <iterator>
-#include <vector>
-
 std::size_t select(const Mesh& mesh)
 {
   std::vector<Mesh::Face_index> tips;
-  CGAL::protrusion_tips(mesh, 5, std::back_inserter(tips), CGAL::Protrusion_segmentation::Histogram_method());
+  CGAL::protrusion_tips(mesh, 5, std::back_inserter(tips), Histogram_method());
   return tips.size();
 }

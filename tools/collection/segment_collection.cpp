@@ -89,16 +89,19 @@ public:
   {
     std::vector<const Mesh_in_collection*> left;
     for (const Mesh_in_collection& mesh : m_meshes)
-      if (const std::string other = other_mesh_with_its_name(mesh); !other.empty())
+    {
+      const Json record = record_of(mesh);
+      if (const std::string other = other_mesh_in(record, mesh); !other.empty())
         tell_failure(mesh.input + ": " + path(mesh, "json").string() + " tells of " + other +
                      ", whose segments would be lost; another --output-folder is needed");
-      else if (m_command_line.is_everything_done_again || !is_done(mesh))
+      else if (m_command_line.is_everything_done_again || !is_done(mesh, record))
         left.push_back(&mesh);
       else
       {
         ++m_number_of_skipped;
-        tell_done(mesh, "already there", formats_in(record_of(mesh)));
+        tell_done(mesh, "already there", formats_in(record));
       }
+    }
     run_in_processes(left.size(), m_command_line.jobs, [&](std::size_t i) { return segment(*left[i]); },
                      [&](std::size_t i, const Outcome& outcome) { tell(*left[i], outcome); });
   }
@@ -222,11 +225,11 @@ private:
     return formats;
   }
 
-  // The mesh that the record is of, if that is another file; empty if it is not, or is there no more. The name may have been
+  // The mesh that a record is of, if that is another file; empty if it is not, or is there no more. The name may have been
   // given from another folder, and then says nothing.
-  std::string other_mesh_with_its_name(const Mesh_in_collection& mesh) const
+  static std::string other_mesh_in(const Json& record, const Mesh_in_collection& mesh)
   {
-    const Json input = record_of(mesh).value("input", Json());
+    const Json input = record.value("input", Json());
     if (!input.is_string())
       return "";
     const std::string other = input.get<std::string>();
@@ -235,13 +238,12 @@ private:
   }
 
   // Was it segmented with the same options after the mesh was written? The record is the last of its files that appears.
-  bool is_done(const Mesh_in_collection& mesh) const
+  bool is_done(const Mesh_in_collection& mesh, const Json& record) const
   {
     std::error_code error;
     const auto written = fs::last_write_time(path(mesh, "json"), error);
     if (error || fs::last_write_time(mesh.input, error) > written || error)
       return false;
-    const Json record = record_of(mesh);
     const std::vector<std::string> formats = formats_in(record);
     for (const std::string& format : m_command_line.formats)
       if (std::find(formats.begin(), formats.end(), format) == formats.end() || !fs::exists(path(mesh, format), error))

@@ -92,7 +92,7 @@ void check_collection(const CLI::App& app, const Command_line& command_line)
     throw std::invalid_argument("several meshes or a folder of meshes need --output-folder");
   refuse({"--output", "--json", "--report", "--borders", "--tips"}, " has no meaning with --output-folder");
   for (const std::string& format : command_line.formats)
-    check_output_name("--format", "mesh." + format);
+    check_output_format(format);
   for (const std::string& input : command_line.inputs)
     if (input == "-")
       throw std::invalid_argument("the standard input is one mesh, which needs no --output-folder");
@@ -102,7 +102,7 @@ void check_outputs(const Command_line& command_line)
 {
   const std::vector<std::string>& outputs = command_line.outputs;
   for (const std::string& name : outputs)
-    check_output_name("-o", name);
+    check_output_name(name);
   if (!command_line.caps.empty() && std::none_of(outputs.begin(), outputs.end(), is_pattern))
     throw std::invalid_argument("--close has no meaning without a %d in the name of an output");
   if (!command_line.borders.empty() && lower_case_extension(command_line.borders) != ".vtp")

@@ -92,6 +92,14 @@ const Format* find_format(const std::string& name)
   return nullptr;
 }
 
+std::string known_extensions()
+{
+  std::string known;
+  for (const Format& format : formats())
+    known += (known.empty() ? "" : ", ") + format.extension;
+  return known;
+}
+
 // The faces of one segment, with the points that they need.
 Segmented_soup part_of(const Segmented_soup& whole, const std::vector<std::size_t>& faces)
 {
@@ -137,23 +145,24 @@ bool holds_a_mesh(const std::string& name)
   return find_format(name)->holds_a_mesh;
 }
 
-void check_output_name(const std::string& option, const std::string& name)
+void check_output_format(const std::string& format)
+{
+  if (!find_format("mesh." + format))
+    throw std::invalid_argument("--format: '" + format + "' is none of " + known_extensions());
+}
+
+void check_output_name(const std::string& name)
 {
   const Format* format = find_format(name);
   if (!format)
-  {
-    std::string known;
-    for (const Format& f : formats())
-      known += (known.empty() ? "" : ", ") + f.extension;
-    throw std::invalid_argument(option + ": '" + lower_case_extension(name) + "' is none of the extensions " + known);
-  }
+    throw std::invalid_argument("-o: '" + name + "' has none of the extensions " + known_extensions());
   if (!is_pattern(name))
     return;
   if (!format->holds_a_mesh)
-    throw std::invalid_argument(option + ": '" + name + "' has a %d, but " + format->extension +
+    throw std::invalid_argument("-o: '" + name + "' has a %d, but " + format->extension +
                                 " files are of the whole mesh");
   if (!is_valid_pattern(name))
-    throw std::invalid_argument(option + ": '" + name + "' has a %d elsewhere than once in the file's name");
+    throw std::invalid_argument("-o: '" + name + "' has a %d elsewhere than once in the file's name");
 }
 
 std::vector<Segmented_soup> parts_of(const Segmented_soup& segmented, std::size_t number_of_segments)

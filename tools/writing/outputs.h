@@ -26,9 +26,12 @@ std::vector<std::string> output_extensions();
 // Does a file of this name hold a mesh, or only the labels of the faces of the file that was read?
 bool holds_a_mesh(const std::string& name);
 
-// Throws std::invalid_argument if no file can have this name, which an option gives: an unknown extension, or a "%d" where
+// Throws std::invalid_argument if this is none of them, without its point.
+void check_output_format(const std::string& format);
+
+// Throws std::invalid_argument if no file can have this name: an unknown extension, or a "%d" where
 // there can be none.
-void check_output_name(const std::string& option, const std::string& name);
+void check_output_name(const std::string& name);
 
 // The faces of every segment, with the points that they need.
 std::vector<Segmented_soup> parts_of(const Segmented_soup& segmented, std::size_t number_of_segments);

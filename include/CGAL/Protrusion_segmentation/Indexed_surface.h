@@ -193,6 +193,18 @@ private:
     return true;
   }
 
+  void measure_face(Index f)
+  {
+    if (m_centroids.empty())
+    {
+      m_areas[f] = std::sqrt(area_vector(f).squared_length());
+      return;
+    }
+    const internal::Polygon_measures face = internal::measure_polygon(Corners{*this, f});
+    m_areas[f] = face.area;
+    m_centroids[f] = face.centroid;
+  }
+
   void measure_faces(bool is_parallel)
   {
     const std::size_t n = m_corner_begin.size() - 1;
@@ -203,13 +215,7 @@ private:
                              [this](std::size_t begin, std::size_t end, std::size_t)
                              {
                                for (std::size_t f = begin; f < end; ++f)
-                               {
-                                 const internal::Polygon_measures face =
-                                   internal::measure_polygon(Corners{*this, static_cast<Index>(f)});
-                                 m_areas[f] = face.area;
-                                 if (!m_centroids.empty())
-                                   m_centroids[f] = face.centroid;
-                               }
+                                 measure_face(static_cast<Index>(f));
                              });
     for (double area : m_areas)
       m_area += area;

@@ -33,7 +33,8 @@ lies in a concave seam, its length, how suddenly the surface widens behind it, h
 the areas on both sides. The cuts are chosen together: the three best sets of cuts are kept while segments are added,
 each tried with its four best further cuts, and the set with the largest sum of values wins. Without a number of
 segments, the largest drop of what one more brings ends them, between cuts that are surely evident and cuts that are
-not, and hills, scales and pockets, which face one way as a whole, hardly count. In the end, the borders between all neighboring segments become minimum cuts once more, on the faces.
+not, and hills, scales and pockets, which face one way as a whole, hardly count. In the end, the borders between all
+neighboring segments become minimum cuts once more, on the faces.
 
 A flat component, whose faces all have the same normal, is segmented by its outline.
 

@@ -77,9 +77,9 @@ polygons decides.
 \throw std::invalid_argument if a coordinate is not finite, if a corner is no index of a point, if there are no
        polygons, or if none has three different corners; nothing is added to `output` then
 
-Complexity: O(n log n) for n corners of polygons and points, and the square of the number of faces around a vertex, which shows from
-ten thousands on. Where vertices would have two faces on one side of an
-edge, or a face twice, joined edges are parted again in rounds of the same complexity, until there are no more.
+Complexity: O(n log n) for n corners of polygons and points, and the square of the number of faces around a vertex, which
+shows from ten thousands on. Where vertices would have two faces on one side of an edge, or a face twice, joined edges are
+parted again in rounds of the same complexity, until there are no more.
 */
 template <typename PointRange,
           typename PolygonRange,

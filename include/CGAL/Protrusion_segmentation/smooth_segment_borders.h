@@ -85,9 +85,9 @@ lost or torn, such as one that is a single triangle wide, keeps its faces, and t
 \throw std::invalid_argument if a coordinate is not finite, if two edges have the same two ends, or if the number of
        iterations is negative; nothing is added to `output` then
 
-Complexity: O(n log n) for n edges, and linear in the number of iterations near borders; the square of the number of faces around a vertex,
-which shows from ten thousands on. This comes again whenever
-more of the borders turns out to have to stay, which is most often a few times.
+Complexity: O(n log n) for n edges, and linear in the number of iterations near borders; the square of the number of faces
+around a vertex, which shows from ten thousands on. This comes again whenever more of the borders turns out to have to stay,
+which is most often a few times.
 */
 template <typename FaceGraph,
           typename SegmentMap,

@@ -212,8 +212,8 @@ public:
   }
 
 private:
-  // of a node, the last operation that reached it, and at which distance
-  struct Visit
+  // of a node, by the last operation that reached it
+  struct Last_visit
   {
     std::uint32_t stamp = 0;
     float distance = 0;
@@ -292,8 +292,8 @@ private:
 
   const Weighted_dual_graph& m_graph;
   double m_largest_size = 0;
-  std::vector<Index> m_sides; // of every node
-  std::vector<Visit> m_visits; // of every node
+  std::vector<Index> m_sides;       // of every node, see `side_of()`
+  std::vector<Last_visit> m_visits; // of every node
   std::uint32_t m_stamp = 0;
   Distance_queue m_queue;
 };

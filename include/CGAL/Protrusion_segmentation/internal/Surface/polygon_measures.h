@@ -40,7 +40,7 @@ Simple_cartesian<double>::Vector_3 polygon_area_vector(const Corners& corners)
   return sum / 2;
 }
 
-// The mean of the three corners, rounded as `polygon_centroid()` rounds it.
+// The mean of the three corners.
 template <typename Corners>
 Simple_cartesian<double>::Point_3 triangle_centroid(const Corners& corners)
 {
@@ -57,6 +57,8 @@ Simple_cartesian<double>::Point_3 polygon_centroid(const Corners& corners,
                                                    double area)
 {
   CGAL_precondition(corners.size() > 0);
+  if (corners.size() == 3)
+    return triangle_centroid(corners);
   using Vector_3 = Simple_cartesian<double>::Vector_3;
   const Simple_cartesian<double>::Point_3 origin = corners[0];
   Vector_3 sum(0, 0, 0), moment(0, 0, 0);
