@@ -23,8 +23,9 @@ Every protrusion has a border to its parent, with a value. Two segments are kept
 one to the other over parents. As sure as the least of them is the border between the two, whether they touch or not.
 
 Values depend on the method. For `Minimum_cut_method` they lie between -1/2 and 1/2: \f$(2q-1)\sqrt{AB}\f$ with what
-speaks for the cut, \f$q\f$ from 0 to 1, and the shares \f$A\f$ and \f$B\f$ that its sides have of the component's area. For
-`Histogram_method` they are prominences, above 0.
+speaks for the cut, \f$q\f$ from 0 to 1, and the areas \f$A\f$ and \f$B\f$ of both sides of the segment that it divided, as shares
+of the component's. So they say how much a cut brought: of equal arms the one that was cut off last, from what the others had
+left, has the least value. For `Histogram_method` they are prominences, above 0.
 
 Probabilities, which `Minimum_cut_method` has, are what they say: of the borders with a probability of .7, people make seven
 in ten, on the meshes that were measured.

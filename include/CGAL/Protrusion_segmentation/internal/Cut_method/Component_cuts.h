@@ -19,6 +19,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/straighten_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/Thread_workspaces.h>
 #include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
 
 #include <algorithm>
@@ -219,7 +220,7 @@ private:
   }
 
   // Of the segments of the beam that have not been searched yet those whose cuts might change which sets of at least some
-  // value are the best next ones: the most promising one, or, for several threads, all. A cut is worth half the area of its
+  // value are the best next ones: the most promising ones, one for each thread. A cut is worth half the area of its
   // segment at most, so that many small segments are never searched, with the same result as if all were.
   std::vector<Index> segments_to_search(const std::vector<Cut_set>& next, double least) const
   {
@@ -238,11 +239,11 @@ private:
       }
     }
     std::sort(promises.begin(), promises.end());
-    if (!m_execution.is_parallel() && !promises.empty())
-      promises.resize(1);
     std::vector<Index> result;
     for (const auto& [promise, s] : promises)
     {
+      if (result.size() == number_of_threads(m_execution.is_parallel()))
+        break;
       const Index source = m_pool[s].source;
       const Index first = m_pool[source].is_searched ? s : source; // what it takes over its cuts from comes first
       if (std::find(result.begin(), result.end(), first) == result.end())

@@ -13,7 +13,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/Thread_workspaces.h>
 
 #include <cstddef>
 #include <optional>
@@ -38,82 +38,58 @@ public:
               const std::optional<Any_distance>& distance,
               const Cut_policy& policy,
               Execution& execution)
-    : m_pool(pool), m_distance(distance), m_execution(execution), m_search(surface, coarse, distance, policy, execution)
+    : m_pool(pool),
+      m_has_distance(distance),
+      m_execution(execution),
+      m_searches(surface, coarse, distance, policy, execution)
   {}
 
-  Segment_search& of_segment() { return m_search; }
-  std::size_t number_of_runs() const { return m_search.tip_orders().number_of_runs() + m_runs_of_copies; }
+  Segment_search& of_segment() { return m_searches.own(); }
+  std::size_t number_of_runs() const
+  {
+    std::size_t result = 0;
+    m_searches.for_each([&](const Segment_search& search) { result += search.tip_orders().number_of_runs(); });
+    return result;
+  }
 
-  // Gives different segments their cuts: those of their source, if that is another segment, which has been searched, and has
-  // any that divide them.
+  // Gives different segments their cuts: each those of its source, if that is another segment, which has been searched, and has
+  // any that divide it.
   void operator()(const std::vector<Index>& segments)
   {
-    std::vector<Index> to_search, others;
-    for (Index s : segments)
-      (m_pool[s].source == s ? to_search : others).push_back(s);
-    std::vector<std::vector<Cut>> taken_over(others.size());
-    for_each_index(
-      others.size(), m_execution.is_parallel(), m_search,
-      [&](Segment_search& search, std::size_t i)
-      { taken_over[i] = search.cuts_without_search(others[i], nodes(others[i]), m_pool.sides_to_take_over(others[i])); },
-      [](const Segment_search&) {});
-    for (std::size_t i = 0; i < others.size(); ++i)
-      if (taken_over[i].empty())
-        to_search.push_back(others[i]);
-      else
-        m_pool.set_cuts(others[i], std::move(taken_over[i]));
-    search(to_search);
+    std::vector<std::vector<Cut>> cuts(segments.size());
+    m_searches.for_each_index(segments.size(), m_execution.is_parallel() && !m_has_distance,
+                              [&](Segment_search& search, std::size_t i) { cuts[i] = found(search, segments[i]); });
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      m_pool.set_cuts(segments[i], std::move(cuts[i]));
   }
 
 private:
   const Nodes& nodes(Index segment) const { return m_pool[segment].nodes; }
 
-  // A distance of the user's is asked by one thread at a time, it may use several itself.
-  void search(const std::vector<Index>& segments)
+  std::vector<Cut> found(Segment_search& search, Index segment)
   {
-    struct Task
+    if (m_pool[segment].source != segment)
     {
-      std::size_t i, candidate;
-    };
-    std::vector<std::vector<Cut_search::Candidate>> candidates(segments.size());
-    for_each_index(
-      segments.size(), m_execution.is_parallel() && !m_distance, m_search,
-      [&](Segment_search& search, std::size_t i)
-      { candidates[i] = search.candidates(segments[i], nodes(segments[i])); },
-      [this](const Segment_search& search) { count_runs(search); });
-
-    std::vector<Task> tasks; // segments are too few, and too different in size, to share the work by
-    std::vector<std::vector<std::optional<Cut>>> cuts(segments.size());
-    for (std::size_t i = 0; i < segments.size(); ++i)
-    {
-      cuts[i].resize(candidates[i].size());
-      for (std::size_t c = 0; c < candidates[i].size(); ++c)
-        tasks.push_back({i, c});
+      std::vector<Cut> cuts =
+        search.cuts_without_search(segment, nodes(segment), m_pool.sides_to_take_over(segment));
+      if (!cuts.empty())
+        return cuts;
     }
-    for_each_index(
-      tasks.size(), m_execution.is_parallel(), m_search,
-      [&](Segment_search& search, std::size_t t)
-      {
-        m_execution.progress(static_cast<double>(t) / static_cast<double>(tasks.size()));
-        const auto [i, c] = tasks[t];
-        cuts[i][c] = search.cut_around(segments[i], nodes(segments[i]), candidates[i][c]);
-      },
-      [](const Segment_search&) {});
-    for (std::size_t i = 0; i < segments.size(); ++i)
-      m_pool.set_cuts(segments[i], Cut_search::different(std::move(cuts[i])));
-  }
-
-  void count_runs(const Segment_search& search)
-  {
-    if (&search != &m_search)
-      m_runs_of_copies += search.tip_orders().number_of_runs();
+    const std::vector<Cut_search::Candidate> candidates = search.candidates(segment, nodes(segment));
+    std::vector<std::optional<Cut>> cuts(candidates.size());
+    m_searches.for_each_index(candidates.size(), m_execution.is_parallel(),
+                              [&](Segment_search& of_thread, std::size_t i)
+                              {
+                                m_execution.progress(static_cast<double>(i) / static_cast<double>(candidates.size()));
+                                cuts[i] = of_thread.cut_around(segment, nodes(segment), candidates[i]);
+                              });
+    return Cut_search::different(std::move(cuts));
   }
 
   Segment_pool& m_pool;
-  const std::optional<Any_distance>& m_distance;
+  bool m_has_distance; // of the user's, which is asked by one thread at a time, and may use several itself
   Execution& m_execution;
-  Segment_search m_search;
-  std::size_t m_runs_of_copies = 0; // that other threads have had of the search
+  Thread_workspaces<Segment_search> m_searches;
 };
 
 } // namespace internal
