@@ -114,7 +114,8 @@ Mesh scaled(Mesh mesh, int exponent)
   for (const Vertex v : vertices(mesh))
   {
     const Point& p = mesh.point(v);
-    mesh.point(v) = Point(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent));
+    mesh.point(v) = Point(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                          std::ldexp(p.z(), exponent));
   }
   return mesh;
 }
@@ -123,8 +124,10 @@ Mesh scaled(Mesh mesh, int exponent)
 Mesh tent()
 {
   Mesh mesh;
-  const auto add = [&](double x, double y, double z) { return mesh.add_vertex(Point(x + 3, y - 2, z + 1)); };
-  const Vertex a = add(0, 0, 0), b = add(2, 0, .1), c = add(2.3, 1.1, 0), d = add(1, 2, -.2), e = add(-.3, 1, .1);
+  const auto add = [&](double x, double y, double z)
+  { return mesh.add_vertex(Point(x + 3, y - 2, z + 1)); };
+  const Vertex a = add(0, 0, 0), b = add(2, 0, .1), c = add(2.3, 1.1, 0), d = add(1, 2, -.2),
+               e = add(-.3, 1, .1);
   const Vertex top = add(1, .9, 1.7);
   mesh.add_face(a, b, top);
   mesh.add_face(b, c, top);
@@ -142,7 +145,8 @@ void check_scale_does_not_matter(const Mesh& mesh, const Labels& a, const Labels
   CHECK(expected.hamming_distance.distance > 0);
   CHECK(expected.consistency_error.local_by_area > 0);
   CHECK(expected.cut_discrepancy.value_or(0) > 0);
-  for (const int exponent : {-1000, -510, -300, -269, -267, -100, -1, 1, 100, 200, 253, 255, 300, 510, 1000})
+  for (const int exponent :
+       {-1000, -510, -300, -269, -267, -100, -1, 1, 100, 200, 253, 255, 300, 510, 1000})
     check_same(metrics_of(scaled(mesh, exponent), a, b), expected);
 }
 
@@ -166,7 +170,8 @@ void test_huge_and_tiny_squares_by_hand()
     for (const std::size_t i : {0u, 1u, 3u, 4u})
       mesh.add_face(v[i], v[i + 1], v[i + 4], v[i + 3]);
     const Face_labels<Mesh> columns(mesh, {0, 1, 0, 1}), rows(mesh, {0, 0, 1, 1});
-    CHECK_CLOSE(CGAL::segmentation_hamming_distance(mesh, columns.map(), rows.map()).distance, 1 / 2., exact);
+    CHECK_CLOSE(CGAL::segmentation_hamming_distance(mesh, columns.map(), rows.map()).distance, 1 / 2.,
+                exact);
     const auto consistency = CGAL::segmentation_consistency_error(mesh, columns.map(), rows.map());
     CHECK_CLOSE(consistency.global_by_area, 1 / 2., exact);
     CHECK_CLOSE(consistency.local_by_area, 1 / 2., exact);

@@ -129,7 +129,7 @@ Json describe_stages(const Findings& findings)
   return array;
 }
 
-// Found in a unit in which its square neither overflows nor vanishes, a power of two.
+// Huge and tiny ones, too: the square is no number there.
 double area(const Polygon_soup& soup, const Polygon& polygon)
 {
   namespace internal = CGAL::Protrusion_segmentation::internal;
@@ -137,9 +137,7 @@ double area(const Polygon_soup& soup, const Polygon& polygon)
   std::vector<Point> corners;
   for (const std::size_t i : polygon)
     corners.push_back(soup.points[i]);
-  const int exponent = internal::exponent_of_largest_coordinate(corners);
-  for (Point& corner : corners)
-    corner = internal::scaled_by_power_of_two(corner, -exponent);
+  const int exponent = internal::scale_to_unit(corners);
   return std::ldexp(std::sqrt(internal::polygon_area_vector(corners).squared_length()), 2 * exponent);
 }
 

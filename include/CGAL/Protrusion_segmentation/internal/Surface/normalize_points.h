@@ -52,6 +52,16 @@ inline Indexed_surface::Point_3 scaled_by_power_of_two(const Indexed_surface::Po
   return {std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent)};
 }
 
+// Scales the points by a power of two, which changes no digit, so that squares of areas neither overflow nor vanish; returns
+// the exponent of the power that scales them back.
+inline int scale_to_unit(std::vector<Indexed_surface::Point_3>& points)
+{
+  const int exponent = exponent_of_largest_coordinate(points);
+  for (Indexed_surface::Point_3& p : points)
+    p = scaled_by_power_of_two(p, -exponent);
+  return exponent;
+}
+
 // Moves the box of the points to the origin and scales it by a power of two to [-1, 1]^3; returns the
 // factor back. A power of two changes no digit, so that a mesh scaled by two gives the same numbers.
 // The first scaling keeps the subtraction of coordinates near the largest double from overflowing. Only there
