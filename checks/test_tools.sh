@@ -343,6 +343,20 @@ test_number_of_segments()
   [ ! -e outputs/five.seg ] || fail "$command: wrote an output"
 }
 
+# Squares of areas are no numbers there.
+test_huge_and_tiny_coordinates()
+{
+  local unit
+  for unit in e100 e-100; do
+    printf 'OFF\n3 1 0\n0 0 0\n3%s 0 0\n0 4%s 0\n3 0 1 2\n' $unit $unit >outputs/triangle.off
+    expect 0 "$segment" outputs/triangle.off --json - -o outputs/triangle.seg
+    case $unit in
+      e100) expect_text stdout '"area": 6e+200' ;;
+      *) expect_text stdout '"area": 6e-200' ;;
+    esac
+  done
+}
+
 # The table of the awkward files: | `name` | what it is | accept, repair, reject |
 test_awkward_meshes()
 {
@@ -976,6 +990,7 @@ test_report
 test_determinism
 test_distances
 test_number_of_segments
+test_huge_and_tiny_coordinates
 test_awkward_meshes
 test_awkward_segmentations
 test_unwritable_outputs

@@ -402,6 +402,10 @@ void units_do_not_matter()
     check_repairs(scaled(sheet_and_triangle(true, .1), unit), repairs(0, 0, 0, 0, 1, 1), {{25, 6}});
     check_repairs(scaled(box(), unit), repairs(0, 0, 0, 0, 0, 1));
   }
+  // Beside a far point of no polygon, nothing becomes tiny.
+  Test_mesh soup = sheet_and_triangle(true, .1);
+  soup.add_point({1e200, 0, 0});
+  check_repairs(soup, repairs(0, 0, 0, 0, 1, 1), {{25, 6}});
 }
 
 void soups_without_shared_points_hang_together()

@@ -109,6 +109,79 @@ void test_kinds_of_segment_id_maps()
   CHECK(!Is_segment_id_map<Mesh, int, Read>::value);
 }
 
+Mesh scaled(Mesh mesh, int exponent)
+{
+  for (const Vertex v : vertices(mesh))
+  {
+    const Point& p = mesh.point(v);
+    mesh.point(v) = Point(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent),
+                          std::ldexp(p.z(), exponent));
+  }
+  return mesh;
+}
+
+// Triangles of different sizes on a pentagon that is not plane, away from the origin.
+Mesh tent()
+{
+  Mesh mesh;
+  const auto add = [&](double x, double y, double z)
+  { return mesh.add_vertex(Point(x + 3, y - 2, z + 1)); };
+  const Vertex a = add(0, 0, 0), b = add(2, 0, .1), c = add(2.3, 1.1, 0), d = add(1, 2, -.2),
+               e = add(-.3, 1, .1);
+  const Vertex top = add(1, .9, 1.7);
+  mesh.add_face(a, b, top);
+  mesh.add_face(b, c, top);
+  mesh.add_face(c, d, top);
+  mesh.add_face(d, e, top);
+  mesh.add_face(e, a, top);
+  mesh.add_face(std::vector<Vertex>{a, e, d, c, b});
+  return mesh;
+}
+
+// To the last bit: a power of two changes no digit.
+void check_scale_does_not_matter(const Mesh& mesh, const Labels& a, const Labels& b)
+{
+  const Metrics expected = metrics_of(mesh, a, b);
+  CHECK(expected.hamming_distance.distance > 0);
+  CHECK(expected.consistency_error.local_by_area > 0);
+  CHECK(expected.cut_discrepancy.value_or(0) > 0);
+  for (const int exponent :
+       {-1000, -510, -300, -269, -267, -100, -1, 1, 100, 200, 253, 255, 300, 510, 1000})
+    check_same(metrics_of(scaled(mesh, exponent), a, b), expected);
+}
+
+void test_scale_does_not_matter()
+{
+  check_scale_does_not_matter(strip_of_squares(4), {0, 1, 1, 1}, {0, 0, 1, 1});
+  check_scale_does_not_matter(icosahedron(), {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1},
+                              {1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1});
+  check_scale_does_not_matter(tent(), {0, 0, 1, 1, 1, 1}, {0, 1, 1, 0, 0, 0});
+}
+
+// The single functions, on columns against rows of four squares: worked out on paper.
+void test_huge_and_tiny_squares_by_hand()
+{
+  for (const double side : {1., 1e80, 1e150, 1e300, 1e-90, 1e-150, 1e-300})
+  {
+    Mesh mesh;
+    std::vector<Vertex> v;
+    for (int i = 0; i < 9; ++i)
+      v.push_back(mesh.add_vertex(Point(i % 3 * side, i / 3 * side, 0)));
+    for (const std::size_t i : {0u, 1u, 3u, 4u})
+      mesh.add_face(v[i], v[i + 1], v[i + 4], v[i + 3]);
+    const Face_labels<Mesh> columns(mesh, {0, 1, 0, 1}), rows(mesh, {0, 0, 1, 1});
+    CHECK_CLOSE(CGAL::segmentation_hamming_distance(mesh, columns.map(), rows.map()).distance, 1 / 2.,
+                exact);
+    const auto consistency = CGAL::segmentation_consistency_error(mesh, columns.map(), rows.map());
+    CHECK_CLOSE(consistency.global_by_area, 1 / 2., exact);
+    CHECK_CLOSE(consistency.local_by_area, 1 / 2., exact);
+    // of the three points of each border, the two at the ends are 1 from the middle of the other one; all centroids
+    // are as far from the middle
+    CHECK_CLOSE(CGAL::segmentation_cut_discrepancy(mesh, columns.map(), rows.map()).value_or(0),
+                2 / 3. / std::sqrt(1 / 2.), exact);
+  }
+}
+
 void test_same_segmentation_up_to_ids()
 {
   const Mesh mesh = icosahedron();
@@ -207,6 +280,7 @@ void test_isolated_vertices_and_removed_faces()
   Mesh mesh = strip_of_squares(5);
   const Metrics expected = metrics_of(strip_of_squares(4), {0, 1, 1, 1}, {0, 0, 1, 1});
   mesh.add_vertex(Point(100, 0, 0));
+  mesh.add_vertex(Point(0, 1e300, 0)); // beside it, all else would have no area
   CGAL::Euler::remove_face(halfedge(*std::prev(faces(mesh).end()), mesh), mesh);
   check_same(metrics_of(mesh, {0, 1, 1, 1}, {0, 0, 1, 1}), expected, exact);
 }
@@ -273,6 +347,8 @@ int main()
   test_strip_by_hand();
   test_areas_by_hand();
   test_kinds_of_segment_id_maps();
+  test_scale_does_not_matter();
+  test_huge_and_tiny_squares_by_hand();
   test_same_segmentation_up_to_ids();
   test_exchange();
   test_one_segment();

@@ -4,6 +4,7 @@
 
 #include "segmentation/smooth_borders.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Metrics/face_measures.h>
 #include <CGAL/Protrusion_segmentation/smooth_segment_borders.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -16,13 +17,14 @@ namespace tool
 namespace
 {
 
-double area(const Mesh& mesh, Face face)
+template <typename Points>
+double area(const Mesh& mesh, const Points& points, Face face)
 {
   CGAL::Simple_cartesian<double>::Vector_3 sum(0, 0, 0);
   const auto h = mesh.halfedge(face);
-  const Point& first = mesh.point(mesh.source(h));
+  const Point first = points(mesh.source(h));
   for (auto g = mesh.next(h); mesh.target(g) != mesh.source(h); g = mesh.next(g))
-    sum = sum + CGAL::cross_product(mesh.point(mesh.source(g)) - first, mesh.point(mesh.target(g)) - first);
+    sum = sum + CGAL::cross_product(points(mesh.source(g)) - first, points(mesh.target(g)) - first);
   return std::sqrt(sum.squared_length()) / 2;
 }
 
@@ -48,9 +50,11 @@ std::vector<std::size_t> segments_of_old_faces(const Smoothed_mesh& smoothed,
                                                std::size_t number_of_old_faces,
                                                std::size_t number_of_segments)
 {
+  // Only compared with each other: the unit does not matter.
+  const CGAL::Protrusion_segmentation::internal::Scaled_points points(smoothed.mesh, smoothed.mesh.points());
   std::vector<std::map<std::size_t, double>> areas(number_of_old_faces); // of segments
   for (const Face face : faces(smoothed.mesh))
-    areas[smoothed.old_faces[face]][smoothed.segment_ids[face]] += area(smoothed.mesh, face);
+    areas[smoothed.old_faces[face]][smoothed.segment_ids[face]] += area(smoothed.mesh, points, face);
   std::vector<std::size_t> result, number_of_faces(number_of_segments, 0), most(number_of_segments, number_of_old_faces);
   for (std::size_t face = 0; face < areas.size(); ++face)
   {

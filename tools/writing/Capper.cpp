@@ -4,6 +4,8 @@
 
 #include "writing/Capper.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/utility.h>
@@ -89,9 +91,13 @@ bool Capper::is_edge(const Edge& edge) const
 std::vector<Triangle> Capper::triangulate(const Loop& loop) const
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::vector<Kernel::Point_3> points;
+  std::vector<Point> corners;
   for (const std::size_t v : loop)
-    points.emplace_back(m_points[v].x(), m_points[v].y(), m_points[v].z());
+    corners.push_back(m_points[v]);
+  CGAL::Protrusion_segmentation::internal::scale_to_unit(corners); // CGAL compares squares of areas
+  std::vector<Kernel::Point_3> points;
+  for (const Point& p : corners)
+    points.emplace_back(p.x(), p.y(), p.z());
   std::vector<CGAL::Triple<int, int, int>> found;
   CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
     points, std::back_inserter(found),

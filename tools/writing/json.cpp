@@ -8,7 +8,8 @@
 #include "writing/peak_memory.h"
 
 #include <CGAL/Protrusion_segmentation/Border_values.h>
-#include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <nlohmann/json.hpp>
 
@@ -128,6 +129,18 @@ Json describe_stages(const Findings& findings)
   return array;
 }
 
+// Huge and tiny ones, too: the square is no number there.
+double area(const Polygon_soup& soup, const Polygon& polygon)
+{
+  namespace internal = CGAL::Protrusion_segmentation::internal;
+
+  std::vector<Point> corners;
+  for (const std::size_t i : polygon)
+    corners.push_back(soup.points[i]);
+  const int exponent = internal::scale_to_unit(corners);
+  return std::ldexp(std::sqrt(internal::polygon_area_vector(corners).squared_length()), 2 * exponent);
+}
+
 // Faces of the file, duplicate and degenerate ones among them; the area counts duplicates once.
 Json describe_measures(const Findings& findings)
 {
@@ -138,9 +151,7 @@ Json describe_measures(const Findings& findings)
   for (const std::size_t segment : spread(ids, input))
     ++faces[segment];
   for (std::size_t i = 0; i < ids.size(); ++i)
-    areas[ids[i]] += std::sqrt(
-      CGAL::Protrusion_segmentation::internal::area_vector(
-        input.soup.points, input.soup.polygons[input.face_in_file[i]]).squared_length());
+    areas[ids[i]] += area(input.soup, input.soup.polygons[input.face_in_file[i]]);
   const Border_values borders(findings.segmentation.record.protrusions());
   Json array = Json::array();
   for (std::size_t s = 0; s < faces.size(); ++s)

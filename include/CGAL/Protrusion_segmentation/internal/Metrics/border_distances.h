@@ -28,7 +28,7 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// Vertices and edges of the mesh, each edge in both directions with its length.
+// Vertices and edges of the mesh, each edge in both directions with its length in the unit of `Scaled_points`.
 using Edge_length = boost::property<boost::edge_weight_t, double>;
 using Vertex_graph =
   boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, Edge_length>;
@@ -38,6 +38,7 @@ Vertex_graph vertex_graph(const FaceGraph& mesh,
                           const VertexPointMap& vertex_points,
                           const VertexIndexMap& vertex_indices)
 {
+  const Scaled_points points(mesh, vertex_points);
   std::vector<std::pair<std::size_t, std::size_t>> arcs;
   std::vector<double> lengths;
   arcs.reserve(num_halfedges(mesh));
@@ -47,8 +48,7 @@ Vertex_graph vertex_graph(const FaceGraph& mesh,
     const auto s = source(h, mesh);
     const auto t = target(h, mesh);
     arcs.emplace_back(get(vertex_indices, s), get(vertex_indices, t));
-    lengths.push_back(std::sqrt(CGAL::squared_distance(to_double_point(get(vertex_points, s)),
-                                                       to_double_point(get(vertex_points, t)))));
+    lengths.push_back(std::sqrt(CGAL::squared_distance(points(s), points(t))));
   }
   return Vertex_graph(boost::edges_are_unsorted_multi_pass, arcs.begin(), arcs.end(), lengths.begin(),
                       num_vertices(mesh));

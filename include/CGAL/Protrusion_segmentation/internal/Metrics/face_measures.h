@@ -2,11 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Areas of the faces of a polygon mesh and its average radius, in double.
+// Areas of the faces of a polygon mesh and its average radius, in double. All metrics are ratios, so that lengths and
+// areas are in a unit in which they can be squared.
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_FACE_MEASURES_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_FACE_MEASURES_H
 
+#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <CGAL/Named_function_parameters.h>
@@ -44,11 +46,39 @@ auto vertex_point_map(const FaceGraph& mesh, const NamedParameters& np)
                                       get_const_property_map(CGAL::vertex_point, mesh));
 }
 
-// One entry a face, in the order of `faces(mesh)`.
+// The points of a mesh, in a unit in which squares of areas neither overflow nor vanish: a power of two, which changes no
+// digit. Vertices without a face do not count: a far one would make the rest of the mesh tiny.
+template <typename VertexPointMap>
+class Scaled_points
+{
+public:
+  template <typename FaceGraph>
+  Scaled_points(const FaceGraph& mesh, const VertexPointMap& vertex_points) : m_points(vertex_points)
+  {
+    Largest_coordinate largest;
+    for (const auto f : faces(mesh))
+      for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
+        largest.add(to_double_point(get(m_points, v)));
+    m_exponent = largest.exponent();
+  }
+
+  template <typename Vertex>
+  Double_kernel::Point_3 operator()(Vertex v) const
+  {
+    return scaled_by_power_of_two(to_double_point(get(m_points, v)), -m_exponent);
+  }
+
+private:
+  VertexPointMap m_points;
+  int m_exponent;
+};
+
+// In the unit of `Scaled_points`, one entry a face, in the order of `faces(mesh)`.
 template <typename FaceGraph, typename VertexPointMap>
 std::vector<Polygon_measures> face_areas_and_centroids(const FaceGraph& mesh,
                                                        const VertexPointMap& vertex_points)
 {
+  const Scaled_points points(mesh, vertex_points);
   std::vector<Polygon_measures> result;
   result.reserve(num_faces(mesh));
   std::vector<Double_kernel::Point_3> corners;
@@ -56,7 +86,7 @@ std::vector<Polygon_measures> face_areas_and_centroids(const FaceGraph& mesh,
   {
     corners.clear();
     for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
-      corners.push_back(to_double_point(get(vertex_points, v)));
+      corners.push_back(points(v));
     result.push_back(measure_polygon(corners));
   }
   return result;

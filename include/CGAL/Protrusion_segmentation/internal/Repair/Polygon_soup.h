@@ -95,12 +95,15 @@ inline std::vector<std::size_t> places(const std::vector<Polygon_soup::Point_3>&
   return result;
 }
 
-// Scales the points by a power of two, which changes no digit, so that squares of areas neither overflow nor vanish.
-inline void scale_to_unit(std::vector<Polygon_soup::Point_3>& points)
+// Scales the points by a power of two, which changes no digit, so that squares of areas neither overflow nor vanish. Points
+// without a polygon do not count: a far one would make the rest tiny.
+inline void scale_to_unit(Polygon_soup& soup)
 {
-  const int exponent = exponent_of_largest_coordinate(points);
-  for (Polygon_soup::Point_3& p : points)
-    p = scaled_by_power_of_two(p, -exponent);
+  Largest_coordinate largest;
+  for (std::size_t corner = 0; corner < soup.polygons.number_of_corners(); ++corner)
+    largest.add(soup.points[soup.polygons.corner(corner)]);
+  for (Polygon_soup::Point_3& p : soup.points)
+    p = scaled_by_power_of_two(p, -largest.exponent());
 }
 
 } // namespace internal

@@ -73,7 +73,7 @@ inline Manifold_surface manifold_surface(Polygon_soup soup)
 {
   Manifold_surface surface;
   const std::vector<std::size_t> place_of = places(soup.points);
-  scale_to_unit(soup.points);
+  scale_to_unit(soup);
   std::vector<bool> is_left_out(soup.polygons.size(), false);
   auto joined = std::make_unique<Joined_faces>(soup, place_of, is_left_out);
   Polygon_soup_repairs& repairs = surface.repairs;

@@ -18,20 +18,48 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// The least e for which all coordinates are below 2^e; 0 if they are all zero.
+// The largest coordinate of points that come one by one.
+class Largest_coordinate
+{
+public:
+  void add(const Indexed_surface::Point_3& p)
+  {
+    m_largest = (std::max)({m_largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
+  }
+
+  // The least e for which all coordinates are below 2^e; 0 if they are all zero.
+  int exponent() const
+  {
+    int result = 0;
+    std::frexp(m_largest, &result);
+    return result;
+  }
+
+private:
+  double m_largest = 0;
+};
+
 inline int exponent_of_largest_coordinate(const std::vector<Indexed_surface::Point_3>& points)
 {
-  double largest = 0;
+  Largest_coordinate largest;
   for (const Indexed_surface::Point_3& p : points)
-    largest = (std::max)({largest, std::abs(p.x()), std::abs(p.y()), std::abs(p.z())});
-  int exponent = 0;
-  std::frexp(largest, &exponent);
-  return exponent;
+    largest.add(p);
+  return largest.exponent();
 }
 
 inline Indexed_surface::Point_3 scaled_by_power_of_two(const Indexed_surface::Point_3& p, int exponent)
 {
   return {std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent)};
+}
+
+// Scales the points by a power of two, which changes no digit, so that squares of areas neither overflow nor vanish; returns
+// the exponent of the power that scales them back.
+inline int scale_to_unit(std::vector<Indexed_surface::Point_3>& points)
+{
+  const int exponent = exponent_of_largest_coordinate(points);
+  for (Indexed_surface::Point_3& p : points)
+    p = scaled_by_power_of_two(p, -exponent);
+  return exponent;
 }
 
 // Moves the box of the points to the origin and scales it by a power of two to [-1, 1]^3; returns the
