@@ -175,8 +175,22 @@ void check_faired_parts(const Mesh& mesh, const Labels& labels, std::size_t numb
   const std::vector<Polygon_soup> parts = tool::faired_parts(mesh, labels, number);
   CHECK_EQUAL(parts.size(), number);
   for (std::size_t s = 0; s < parts.size(); ++s)
-    check::report(number_of_open_edges(parts[s]) == 0, __FILE__, __LINE__,
-                  name + ": faired part " + std::to_string(s) + " is not closed");
+  {
+    const std::string part = name + ": faired part " + std::to_string(s);
+    const auto is_triangle = [](const auto& polygon) { return polygon.size() == 3; };
+    const auto is_finite = [](const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); };
+    const auto& [points, polygons] = parts[s];
+    check::report(number_of_open_edges(parts[s]) == 0, __FILE__, __LINE__, part + " is not closed");
+    check::report(std::all_of(polygons.begin(), polygons.end(), is_triangle), __FILE__, __LINE__,
+                  part + " has other faces than triangles");
+    check::report(std::all_of(points.begin(), points.end(), is_finite), __FILE__, __LINE__,
+                  part + " has points that are not finite");
+    const std::set<Point> points_of_part(points.begin(), points.end());
+    for (const auto f : faces(mesh))
+      for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+        check::report(labels[f] != s || points_of_part.count(mesh.point(v)) == 1, __FILE__, __LINE__,
+                      part + " lacks a point of the mesh");
+  }
 }
 
 // Halves of a ball get round caps, as the ball itself is: each is larger than with a flat one.
@@ -198,6 +212,71 @@ void test_faired_parts()
   check_faired_parts(star, labels, 3, "random");
 }
 
+// The first one between two segments.
+Mesh::Halfedge_index halfedge_at_border(const Mesh& mesh, const Labels& labels)
+{
+  const auto is_between_segments = [&](const Mesh::Halfedge_index h)
+  { return labels[mesh.face(h)] != labels[mesh.face(mesh.opposite(h))]; };
+  return *std::find_if(halfedges(mesh).begin(), halfedges(mesh).end(), is_between_segments);
+}
+
+// What divides by areas and lengths has none: the faces stay, and the caps are round nevertheless.
+void test_faired_parts_of_degenerate_faces()
+{
+  for (const bool is_along_border : {true, false})
+  {
+    auto ball = test_meshes::to_graph<Mesh>(test_meshes::icosphere(3));
+    const Labels halves = labels_of_halves(ball, 2, 0);
+    const auto at_border = halfedge_at_border(ball, halves);
+    const auto edge = is_along_border ? at_border : ball.next(at_border);
+    ball.point(ball.source(edge)) = ball.point(ball.target(edge));
+    check_faired_parts(ball, halves, 2, "edge of no length");
+    for (const Polygon_soup& part : tool::faired_parts(ball, halves, 2))
+      CHECK(volume(part) > 0.6 * volume(whole(ball)));
+  }
+}
+
+// Polygons without a normal become triangles, too.
+void test_faired_parts_of_degenerate_polygons()
+{
+  const std::map<std::string, test_meshes::Test_mesh> balls = {
+    {"quads", test_meshes::uv_sphere()}, {"hexagons", test_meshes::dual(test_meshes::icosphere(3))}};
+  const std::map<std::string, CGAL::Simple_cartesian<double>::Vector_3> steps = {
+    {"point", {0, 0, 0}}, {"line along an axis", {0, 0.01, 0}}, {"line", {0.01, 0.02, 0.03}}};
+  for (const auto& [name, soup] : balls)
+    for (const auto& [shape, step] : steps)
+    {
+      auto ball = test_meshes::to_graph<Mesh>(soup);
+      const Labels halves = labels_of_halves(ball, 2, 0);
+      const auto corner = halfedge_at_border(ball, halves);
+      Point next = ball.point(ball.target(corner));
+      for (const auto v : vertices_around_face(corner, ball))
+      {
+        ball.point(v) = next;
+        next = next + step;
+      }
+      check_faired_parts(ball, halves, 2, name + ", one of them a " + shape);
+    }
+}
+
+// Squares of areas would be too small or too large for a number.
+void test_faired_parts_of_any_size()
+{
+  for (const double size : {1e-300, 1e-90, 1e90, 1e300})
+  {
+    const auto unit_ball = test_meshes::icosphere(3);
+    const auto ball = test_meshes::to_graph<Mesh>(test_meshes::scaled(unit_ball, size));
+    const Labels halves = labels_of_halves(ball, 2, 0);
+    check_faired_parts(ball, halves, 2, "ball of size " + check::as_text(size));
+    for (Polygon_soup part : tool::faired_parts(ball, halves, 2))
+    {
+      for (Point& p : part.points)
+        p = Point(p.x() / size, p.y() / size, p.z() / size);
+      CHECK(volume(part) > 0.6 * volume(whole(test_meshes::to_graph<Mesh>(unit_ball))));
+    }
+  }
+}
+
 } // namespace
 
 int main()
@@ -216,5 +295,8 @@ int main()
   test_box_in_halves();
   test_open_mesh();
   test_faired_parts();
+  test_faired_parts_of_degenerate_faces();
+  test_faired_parts_of_degenerate_polygons();
+  test_faired_parts_of_any_size();
   return check::result();
 }

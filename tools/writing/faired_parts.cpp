@@ -4,6 +4,10 @@
 
 #include "writing/faired_parts.h"
 
+#include "writing/unit_ball.h"
+
+#include <CGAL/Protrusion_segmentation/internal/Distances/triangulate_surface.h>
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/fair.h>
@@ -16,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <set>
@@ -29,10 +34,17 @@ namespace
 namespace PMP = CGAL::Polygon_mesh_processing;
 
 using Exact_point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+using Vector = Exact_point::R::Vector_3;
 using Part = CGAL::Surface_mesh<Exact_point>; // CGAL's functions for holes want exact predicates
 using Vertex = Part::Vertex_index;
 using Halfedge = Part::Halfedge_index;
 using Edge = std::pair<Exact_point, Exact_point>;
+
+// The square of a width to the square of a length: far above what rounding makes of nothing.
+constexpr double no_width = 1e-20;
+
+// From the center of a part, in a ball of radius 1 to 2: beyond a half ball on the widest hole that it could have.
+constexpr double farthest_cap = 4;
 
 Exact_point exact(const Point& point) { return Exact_point(point.x(), point.y(), point.z()); }
 
@@ -63,7 +75,6 @@ Part part_of(const Mesh& mesh, const std::vector<Face>& faces)
     CGAL::Euler::add_face(corners, part);
   }
   PMP::duplicate_non_manifold_vertices(part);
-  PMP::triangulate_faces(part);
   return part;
 }
 
@@ -89,11 +100,13 @@ std::vector<std::array<Vertex, 3>> triangles_in(const Part& part, const std::vec
   return triangles.size() + 2 == loop.size() ? triangles : std::vector<std::array<Vertex, 3>>();
 }
 
-// Around a vertex in the middle, which no other face has.
-std::vector<Face> add_fan(Part& part, Halfedge hole, const std::vector<Vertex>& loop)
+// Splits a face around a vertex in the middle, which no other face has.
+std::vector<Face> add_fan(Part& part, Halfedge side)
 {
-  CGAL::Euler::fill_hole(hole, part);
-  const Halfedge to_middle = CGAL::Euler::add_center_vertex(hole, part);
+  std::vector<Vertex> loop;
+  for (const Vertex v : vertices_around_face(side, part))
+    loop.push_back(v);
+  const Halfedge to_middle = CGAL::Euler::add_center_vertex(side, part);
   double x = 0, y = 0, z = 0;
   for (const Vertex v : loop)
   {
@@ -102,10 +115,63 @@ std::vector<Face> add_fan(Part& part, Halfedge hole, const std::vector<Vertex>& 
     z += part.point(v).z() / double(loop.size());
   }
   part.point(part.target(to_middle)) = Exact_point(x, y, z);
-  std::vector<Face> cap;
+  std::vector<Face> fan;
   for (const Face face : faces_around_target(to_middle, part))
-    cap.push_back(face);
-  return cap;
+    fan.push_back(face);
+  return fan;
+}
+
+// Seen along the normal, where CGAL triangulates polygons: it crashes where these are a line, or two corners are one.
+bool has_area_and_sides(const Part& part, Halfedge first)
+{
+  const Exact_point& origin = part.point(part.source(first));
+  Vector normal = CGAL::NULL_VECTOR;
+  double longest = 0; // squared, as all here
+  for (const Halfedge h : halfedges_around_face(first, part))
+  {
+    normal += CGAL::cross_product(part.point(part.source(h)) - origin, part.point(part.target(h)) - origin);
+    longest = (std::max)(longest, CGAL::squared_distance(part.point(part.source(h)), part.point(part.target(h))));
+  }
+  const auto has_length = [&](const Halfedge h)
+  {
+    const Vector side = part.point(part.target(h)) - part.point(part.source(h));
+    return CGAL::cross_product(side, normal).squared_length() > no_width * longest * normal.squared_length();
+  };
+  const auto sides = halfedges_around_face(first, part);
+  return normal.squared_length() > no_width * longest * longest && std::all_of(sides.begin(), sides.end(), has_length);
+}
+
+// CGAL's triangulation leaves what has no normal as it is, but functions for holes take triangles alone.
+void triangulate(Part& part)
+{
+  const std::vector<Face> faces(part.faces().begin(), part.faces().end());
+  for (const Face face : faces)
+  {
+    const Halfedge side = part.halfedge(face);
+    const auto number_of_corners = halfedges_around_face(side, part).size();
+    const bool is_safe = number_of_corners <= 4 || has_area_and_sides(part, side);
+    if (number_of_corners > 3 && !(is_safe && PMP::triangulate_face(face, part)))
+      add_fan(part, side);
+  }
+}
+
+// What is no number is not.
+bool is_near(const Exact_point& point)
+{
+  return (point - CGAL::ORIGIN).squared_length() <= farthest_cap * farthest_cap;
+}
+
+// Fairing divides by areas: where faces are single points, it fails, or gives points that are no numbers or anywhere.
+// The cap stays flat then.
+void fair_if_possible(Part& part, const std::vector<Vertex>& vertices)
+{
+  std::vector<Exact_point> old_points;
+  for (const Vertex v : vertices)
+    old_points.push_back(part.point(v));
+  const auto is_in_place = [&](const Vertex v) { return is_near(part.point(v)); };
+  if (!PMP::fair(part, vertices) || !std::all_of(vertices.begin(), vertices.end(), is_in_place))
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      part.point(vertices[i]) = old_points[i];
 }
 
 // The steps of CGAL's triangulate_refine_and_fair_hole(), whose parameters differ from version to version.
@@ -118,11 +184,14 @@ void close_hole(Part& part, Halfedge hole)
   for (const auto& triangle : triangles_in(part, loop))
     cap.push_back(CGAL::Euler::add_face(triangle, part));
   if (cap.empty())
-    cap = add_fan(part, hole, loop);
+  {
+    CGAL::Euler::fill_hole(hole, part);
+    cap = add_fan(part, hole);
+  }
   std::vector<Face> new_faces;
   std::vector<Vertex> new_vertices;
   PMP::refine(part, cap, std::back_inserter(new_faces), std::back_inserter(new_vertices));
-  PMP::fair(part, new_vertices);
+  fair_if_possible(part, new_vertices);
 }
 
 bool touches_border_of_mesh(const Part& part, Halfedge hole, const std::set<Edge>& border_of_mesh)
@@ -133,11 +202,46 @@ bool touches_border_of_mesh(const Part& part, Halfedge hole, const std::set<Edge
   return false;
 }
 
+std::vector<Point> points_of(const Part& part)
+{
+  std::vector<Point> points;
+  for (const Vertex v : part.vertices())
+    points.emplace_back(part.point(v).x(), part.point(v).y(), part.point(v).z());
+  return points;
+}
+
+// Of the first vertices; those that came later stay.
+void put_back(Part& part, const std::vector<Point>& points)
+{
+  for (std::size_t i = 0; i < points.size(); ++i)
+    part.point(Vertex(Part::size_type(i))) = exact(points[i]);
+}
+
+// In a ball of radius 1 to 2, for the areas that fairing multiplies must neither vanish nor overflow, and with a width
+// for triangles that have none, so that caps beside them are round, too. The points of the part come back as they were.
+void triangulate_and_close(Part& part, const std::vector<Halfedge>& holes)
+{
+  const std::vector<Point> old_points = points_of(part);
+  const Ball ball = bounding_ball(old_points);
+  const Exact_point center(ball.center[0], ball.center[1], ball.center[2]);
+  const double unit = std::ldexp(1., std::ilogb(ball.radius)); // a power of two changes no digit
+  for (const Vertex v : part.vertices())
+    part.point(v) = CGAL::ORIGIN + (part.point(v) - center) / unit;
+  triangulate(part);
+  const std::vector<Point> points_of_triangles = points_of(part);
+  CGAL::Protrusion_segmentation::internal::widen_flat_triangles(part);
+  for (const Halfedge hole : holes)
+    close_hole(part, hole);
+  put_back(part, points_of_triangles);
+  for (const Vertex v : part.vertices())
+    part.point(v) = center + (part.point(v) - CGAL::ORIGIN) * unit;
+  put_back(part, old_points);
+}
+
 Polygon_soup to_soup(const Part& part)
 {
   Polygon_soup soup;
-  for (const Vertex v : part.vertices())
-    soup.points.emplace_back(part.point(v).x(), part.point(v).y(), part.point(v).z());
+  soup.points = points_of(part);
   for (const Face face : part.faces())
   {
     soup.polygons.emplace_back();
@@ -161,11 +265,11 @@ std::vector<Polygon_soup> faired_parts(const Mesh& mesh,
   for (const std::vector<Face>& faces : faces_of)
   {
     Part part = part_of(mesh, faces);
-    std::vector<Halfedge> holes;
-    PMP::extract_boundary_cycles(part, std::back_inserter(holes));
-    for (const Halfedge hole : holes)
-      if (!touches_border_of_mesh(part, hole, border_of_mesh))
-        close_hole(part, hole);
+    std::vector<Halfedge> cycles, holes;
+    PMP::extract_boundary_cycles(part, std::back_inserter(cycles));
+    std::copy_if(cycles.begin(), cycles.end(), std::back_inserter(holes),
+                 [&](const Halfedge cycle) { return !touches_border_of_mesh(part, cycle, border_of_mesh); });
+    triangulate_and_close(part, holes);
     parts.push_back(to_soup(part));
   }
   return parts;

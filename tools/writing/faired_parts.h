@@ -16,6 +16,7 @@ namespace tool
 
 // For each segment its faces, as triangles, and round caps that continue its surface. Every part of a closed mesh is
 // closed; it has its own caps, so that volumes do not add up. A hole that touches a border of the mesh gets no cap.
+// A cap is flat where faces around it are single points. A face that is a line or a point may get a vertex in the middle.
 std::vector<Polygon_soup> faired_parts(const Mesh& mesh,
                                       const std::vector<std::size_t>& segment_of_face,
                                       std::size_t number_of_segments);
