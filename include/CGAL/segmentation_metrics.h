@@ -96,6 +96,7 @@ rates and keeps the distance.
 \cgalNamedParamsEnd
 
 \return distance, missing rate and false-alarm rate, each in [0, 1)
+\throw std::invalid_argument if a coordinate is not finite
 
 Complexity: linear in the number of faces, in expectation.
 */
@@ -141,6 +142,7 @@ once, as the benchmark's program does.
 \param mesh, segment_ids, reference_ids, np as for `segmentation_hamming_distance()`
 
 \return the four errors, each in [0, 1)
+\throw std::invalid_argument if a coordinate is not finite
 
 Complexity: linear in the number of faces, in expectation.
 */
@@ -213,6 +215,7 @@ The result has no value where it is undefined:
 \cgalNamedParamsEnd
 
 \return a number that is not negative, in average radii; no value where it is undefined
+\throw std::invalid_argument if both segmentations have a border and a coordinate is not finite
 
 Complexity: O(<i>n</i> log <i>n</i>) for <i>n</i> vertices (two runs of Dijkstra's algorithm).
 */
@@ -243,6 +246,7 @@ returns all metrics at once: `segmentation_rand_index_error()`, `segmentation_ha
 \param mesh, segment_ids, reference_ids, np as for `segmentation_cut_discrepancy()`
 
 \return the metrics
+\throw std::invalid_argument if a coordinate is not finite
 
 Complexity: that of `segmentation_cut_discrepancy()`.
 */

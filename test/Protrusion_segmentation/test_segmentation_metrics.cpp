@@ -19,6 +19,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <stdexcept>
 #include <vector>
 
 void check_same(const Metrics& a, const Metrics& b, double tolerance = 0)
@@ -41,6 +42,19 @@ void check_no_error(const Metrics& metrics)
   Metrics none;
   none.cut_discrepancy = metrics.cut_discrepancy;
   check_same(metrics, none);
+}
+
+// In Release, too, where comparisons with what is no number would make segmentations equal.
+void test_coordinates_that_are_not_finite()
+{
+  for (const double wrong : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  {
+    Mesh mesh = strip_of_squares(4);
+    mesh.point(Vertex(5)) = Point(wrong, 0, 0);
+    CHECK_THROWS_WITH(metrics_of(mesh, {0, 1, 1, 1}, {0, 0, 1, 1}), std::invalid_argument,
+                      "mesh: vertex 5 has a coordinate that is not finite");
+    CHECK_THROWS_WITH(metrics_of(mesh, {0, 0, 0, 0}, {0, 0, 1, 1}), std::invalid_argument, "vertex 5");
+  }
 }
 
 // Four squares, cut after the first or after the second: worked out on paper.
@@ -344,6 +358,7 @@ void test_named_parameters()
 
 int main()
 {
+  test_coordinates_that_are_not_finite();
   test_strip_by_hand();
   test_areas_by_hand();
   test_kinds_of_segment_id_maps();

@@ -13,7 +13,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>
-#include <CGAL/assertions.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/number_utils.h>
@@ -21,6 +20,9 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -32,10 +34,12 @@ using Double_kernel = CGAL::Simple_cartesian<double>;
 template <typename Point>
 Double_kernel::Point_3 to_double_point(const Point& point)
 {
-  const Double_kernel::Point_3 result(CGAL::to_double(point.x()), CGAL::to_double(point.y()),
-                                      CGAL::to_double(point.z()));
-  CGAL_precondition(std::isfinite(result.x()) && std::isfinite(result.y()) && std::isfinite(result.z()));
-  return result;
+  return {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
+}
+
+inline bool is_finite(const Double_kernel::Point_3& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
 
 // The map of the named parameter `vertex_point_map`, or the mesh's own.
@@ -52,13 +56,19 @@ template <typename VertexPointMap>
 class Scaled_points
 {
 public:
+  // Throws if a coordinate is not finite.
   template <typename FaceGraph>
   Scaled_points(const FaceGraph& mesh, const VertexPointMap& vertex_points) : m_points(vertex_points)
   {
     Largest_coordinate largest;
     for (const auto f : faces(mesh))
       for (const auto v : CGAL::vertices_around_face(halfedge(f, mesh), mesh))
-        largest.add(to_double_point(get(m_points, v)));
+      {
+        const Double_kernel::Point_3 point = to_double_point(get(m_points, v));
+        if (!is_finite(point))
+          throw_not_finite(mesh, v);
+        largest.add(point);
+      }
     m_exponent = largest.exponent();
   }
 
@@ -69,6 +79,19 @@ public:
   }
 
 private:
+  template <typename FaceGraph, typename Vertex>
+  [[noreturn]] static void throw_not_finite(const FaceGraph& mesh, Vertex v)
+  {
+    std::size_t position = 0;
+    for (const auto other : vertices(mesh))
+    {
+      if (other == v)
+        break;
+      ++position;
+    }
+    throw std::invalid_argument("mesh: vertex " + std::to_string(position) + " has a coordinate that is not finite");
+  }
+
   VertexPointMap m_points;
   int m_exponent;
 };
