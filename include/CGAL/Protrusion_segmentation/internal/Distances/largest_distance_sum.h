@@ -92,7 +92,8 @@ public:
       m_is_visited(surface.number_of_faces(), false),
       m_sharpened_with(surface.number_of_faces(), 0),
       m_joint_bounds(surface.number_of_faces()),
-      m_local_bounds(surface)
+      m_local_bounds(surface),
+      m_most_candidates(surface.number_of_faces())
   {}
 
   // Visits up to `maximum_number_of_visits` faces; returns the best of them.
@@ -199,12 +200,17 @@ private:
     return m_number_of_faces;
   }
 
+  // There are never more than before. What they need no more is left to the joint bounds, which grow from visit to visit.
   void collect_candidates()
   {
+    if (m_candidates.capacity() > 2 * m_most_candidates)
+      std::vector<Candidate>().swap(m_candidates);
     m_candidates.clear();
+    m_candidates.reserve(m_most_candidates);
     for (Index f = 0; f < m_number_of_faces; ++f)
       if (is_open(f))
         m_candidates.push_back({m_bounds[f], f});
+    m_most_candidates = m_candidates.size();
     std::make_heap(m_candidates.begin(), m_candidates.end());
   }
 
@@ -255,6 +261,7 @@ private:
   Joint_sum_bounds m_joint_bounds;
   Local_sum_bounds m_local_bounds;
   std::vector<Candidate> m_candidates;
+  std::size_t m_most_candidates;
   std::vector<Index> m_ruled_out;
   std::vector<double> m_from_face;
   std::vector<double> m_from_best;
