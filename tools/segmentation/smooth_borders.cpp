@@ -9,26 +9,10 @@
 
 #include <boost/property_map/property_map.hpp>
 
-#include <cmath>
 #include <map>
 
 namespace tool
 {
-namespace
-{
-
-template <typename Points>
-double area(const Mesh& mesh, const Points& points, Face face)
-{
-  CGAL::Simple_cartesian<double>::Vector_3 sum(0, 0, 0);
-  const auto h = mesh.halfedge(face);
-  const Point first = points(mesh.source(h));
-  for (auto g = mesh.next(h); mesh.target(g) != mesh.source(h); g = mesh.next(g))
-    sum = sum + CGAL::cross_product(points(mesh.source(g)) - first, points(mesh.target(g)) - first);
-  return std::sqrt(sum.squared_length()) / 2;
-}
-
-} // namespace
 
 Smoothed_mesh smooth_borders(const Mesh& mesh, const std::vector<std::size_t>& segment_ids)
 {
@@ -50,11 +34,11 @@ std::vector<std::size_t> segments_of_old_faces(const Smoothed_mesh& smoothed,
                                                std::size_t number_of_old_faces,
                                                std::size_t number_of_segments)
 {
-  // Only compared with each other: the unit does not matter.
-  const CGAL::Protrusion_segmentation::internal::Scaled_points points(smoothed.mesh, smoothed.mesh.points());
+  // Only compared with each other: their unit does not matter.
+  const auto measures = CGAL::Protrusion_segmentation::internal::face_areas_and_centroids(smoothed.mesh, smoothed.mesh.points());
   std::vector<std::map<std::size_t, double>> areas(number_of_old_faces); // of segments
-  for (const Face face : faces(smoothed.mesh))
-    areas[smoothed.old_faces[face]][smoothed.segment_ids[face]] += area(smoothed.mesh, points, face);
+  for (std::size_t i = 0; i < measures.size(); ++i)
+    areas[smoothed.old_faces[i]][smoothed.segment_ids[i]] += measures[i].area;
   std::vector<std::size_t> result, number_of_faces(number_of_segments, 0), most(number_of_segments, number_of_old_faces);
   for (std::size_t face = 0; face < areas.size(); ++face)
   {
