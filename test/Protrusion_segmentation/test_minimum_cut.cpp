@@ -159,6 +159,27 @@ void both_sides_of_a_cut_are_connected(unsigned int seed)
   }
 }
 
+// Around connected nodes the cheaper way gives the same sides as the one for any nodes.
+void connected_nodes_keep_their_side(unsigned int seed)
+{
+  const Weighted_dual_graph graph = weighted_dual_graph(to_surface(random_surface(seed)));
+  Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 1));
+  Nodes nodes = partition.connected_nodes(0, [](Index) { return true; });
+  std::sort(nodes.begin(), nodes.end());
+  for (const Index i : nodes)
+    partition.set_segment(i, 0);
+  Random random(seed);
+  std::vector<bool> may_be_in(graph.number_of_nodes(), false);
+  for (const Index i : nodes)
+    may_be_in[i] = random.index(4) != 0;
+  const Nodes connected = partition.connected_nodes(nodes[random.index(nodes.size())], [&](Index i) { return may_be_in[i]; });
+  Nodes others;
+  std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(others), [&](Index i)
+               { return std::find(connected.begin(), connected.end(), i) == connected.end(); });
+  CHECK(partition.connect_other_side(nodes, 0, connected, false) == partition.connect_sides(nodes, 0, connected));
+  CHECK(partition.connect_other_side(nodes, 0, connected, true) == partition.connect_sides(nodes, 0, others));
+}
+
 // The best cuts of a star are its arms.
 void best_cuts_of_a_star_are_its_arms()
 {
@@ -193,6 +214,7 @@ int main()
     sweeps_find_the_best_level_set(random_surface(seed), seed);
     minimum_cuts_are_minimal(seed);
     both_sides_of_a_cut_are_connected(seed);
+    connected_nodes_keep_their_side(seed);
   }
   // faces much smaller than the least area of a part: a branch that grows to the whole keeps its best
   sweeps_find_the_best_level_set(capsule_with_ball(), 0);

@@ -54,6 +54,17 @@ public:
     bool is_region; // else a level set
   };
 
+  // What candidates are taken from: of some orders of the nodes of a segment the best level sets, from the near and from the
+  // far end, and regions.
+  struct Candidate_sources
+  {
+    std::vector<Nodes> orders;
+    std::vector<std::vector<Level_set>> level_sets; // of each sweep over an order
+    Merged_regions regions;
+
+    std::size_t number_of_sweeps() const { return 2 * orders.size(); }
+  };
+
   struct Accept_all
   {
     bool operator()(const Nodes&) const { return true; }
@@ -67,19 +78,42 @@ public:
                         const std::vector<Nodes>& orders,
                         Accept accept = Accept())
   {
+    Candidate_sources sources;
+    sources.orders = orders;
+    for (std::size_t sweep = 0; sweep < sources.number_of_sweeps(); ++sweep)
+      sources.level_sets.push_back(level_sets(nodes, orders, sweep));
+    sources.regions = regions(segment, nodes);
     std::vector<std::optional<Cut>> result;
-    for (const Candidate& candidate : candidates(segment, nodes, orders, accept))
+    for (const Candidate& candidate : candidates(segment, nodes, sources, accept))
       result.push_back(cut_around(segment, nodes, candidate));
     std::vector<Cut> cuts = different(std::move(result));
     sort_best_first(cuts);
     return cuts;
   }
 
+  Merged_regions regions(Index segment, const Nodes& nodes)
+  {
+    return m_merger(m_partition, segment, nodes, m_partition.area(nodes), m_rank);
+  }
+
+  // The best level sets of one sweep over an order of the nodes; there are two, upwards and downwards.
+  std::vector<Level_set> level_sets(const Nodes& nodes, const std::vector<Nodes>& orders, std::size_t sweep)
+  {
+    const Nodes& order = orders[sweep / 2];
+    const double segment_area = m_partition.area(nodes);
+    std::vector<Level_set> result;
+    if (sweep % 2 == 0)
+      m_sweep(order, segment_area, sweep / 2, false, result);
+    else
+      m_sweep(Nodes(order.rbegin(), order.rend()), segment_area, sweep / 2, true, result);
+    return result;
+  }
+
   // The best level sets and regions that are accepted and differ from each other.
   template <typename Accept = Accept_all>
   std::vector<Candidate> candidates(Index segment,
                                     const Nodes& nodes,
-                                    const std::vector<Nodes>& orders,
+                                    const Candidate_sources& sources,
                                     Accept accept = Accept())
   {
     constexpr std::size_t level_sets_looked_at = 60; // most of the rest repeat the first ones
@@ -87,15 +121,15 @@ public:
     const std::size_t number_of_regions = m_policy.number_of_regions();
     CGAL_assertion(maximum_number_of_level_sets + number_of_regions <= maximum_number_of_candidates);
     const double segment_area = m_partition.area(nodes);
-    const std::vector<Level_set> sets = level_sets(orders, segment_area);
+    const std::vector<Level_set> sets = best_first(sources.level_sets);
     for (Index i : nodes)
       m_kept[i] = 0;
     Kept_candidates kept;
     keep_different(
       sets.size(), [&](std::size_t i) -> Candidate
-      { return {nodes_of(segment, orders[sets[i].order], sets[i]), false}; },
+      { return {nodes_of(segment, sources.orders[sets[i].order], sets[i]), false}; },
       accept, segment_area, {level_sets_looked_at, maximum_number_of_level_sets}, kept);
-    const Merged_regions merged = m_merger(m_partition, segment, nodes, segment_area, m_rank);
+    const Merged_regions& merged = sources.regions;
     keep_different(
       merged.regions.size(), [&](std::size_t i) -> Candidate { return {nodes_of(merged, merged.regions[i]), true}; },
       accept, segment_area, {regions_looked_at, number_of_regions}, kept);
@@ -148,14 +182,11 @@ private:
   };
 
   // the cheapest first
-  std::vector<Level_set> level_sets(const std::vector<Nodes>& orders, double segment_area)
+  static std::vector<Level_set> best_first(const std::vector<std::vector<Level_set>>& level_sets)
   {
     std::vector<Level_set> result;
-    for (std::size_t i = 0; i < orders.size(); ++i)
-    {
-      m_sweep(orders[i], segment_area, i, false, result);
-      m_sweep(Nodes(orders[i].rbegin(), orders[i].rend()), segment_area, i, true, result);
-    }
+    for (const std::vector<Level_set>& part : level_sets)
+      result.insert(result.end(), part.begin(), part.end());
     std::stable_sort(result.begin(), result.end(), [](const Level_set& a, const Level_set& b)
                      { return a.relative_cost < b.relative_cost; });
     return result;
@@ -245,9 +276,8 @@ private:
   std::optional<Cut> refined(Index segment, const Nodes& nodes, const Nodes& set, double segment_area)
   {
     constexpr Band band = {0.35, 1.4, 0.7};
-    m_partition.mark(nodes, set);
     Cut cut;
-    cut.inner = m_partition.connect_sides(nodes, segment, smaller_side(nodes, set, segment_area));
+    cut.inner = m_partition.connect_other_side(nodes, segment, set, 2 * m_partition.area(set) > segment_area);
     const double cost = relative_cost_of(segment, cut.inner, segment_area);
     Nodes minimum = refine_cut(m_partition, segment, nodes, cut.inner, band, m_number);
     minimum = m_partition.connect_sides(nodes, segment, minimum);

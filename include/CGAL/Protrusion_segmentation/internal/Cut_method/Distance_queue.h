@@ -7,11 +7,11 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
 
-#include <algorithm>
+#include <boost/heap/d_ary_heap.hpp>
+
 #include <cstdint>
 #include <functional>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
@@ -25,22 +25,17 @@ public:
   bool empty() const { return m_heap.empty(); }
   void clear() { m_heap.clear(); }
 
-  void push(std::uint32_t node, float distance)
-  {
-    m_heap.push_back(float_key(distance, node));
-    std::push_heap(m_heap.begin(), m_heap.end(), std::greater<>());
-  }
+  void push(std::uint32_t node, float distance) { m_heap.push(float_key(distance, node)); }
 
   std::pair<std::uint32_t, float> pop()
   {
-    std::pop_heap(m_heap.begin(), m_heap.end(), std::greater<>());
-    const Float_key nearest = m_heap.back();
-    m_heap.pop_back();
+    const Float_key nearest = m_heap.top();
+    m_heap.pop();
     return {index_of(nearest), float_of(nearest)};
   }
 
 private:
-  std::vector<Float_key> m_heap;
+  boost::heap::d_ary_heap<Float_key, boost::heap::arity<4>, boost::heap::compare<std::greater<>>> m_heap;
 };
 
 } // namespace internal

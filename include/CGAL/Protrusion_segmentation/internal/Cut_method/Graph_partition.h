@@ -201,13 +201,19 @@ public:
   Nodes connect_sides(const Nodes& nodes, Index segment, const Nodes& inner)
   {
     mark(nodes, inner);
-    const Nodes main = largest_component(inner, segment, true);
-    mark(nodes, main);
+    return connect_other_side(nodes, segment, largest_component(inner, segment, true), false);
+  }
+
+  // The same around connected nodes of a connected segment, where only the other side may be in pieces. Marks the side with
+  // these nodes, or else the other one, and returns it.
+  Nodes connect_other_side(const Nodes& nodes, Index segment, const Nodes& connected, bool marks_other_side)
+  {
+    mark(nodes, connected);
     const Nodes rest = largest_component(nodes, segment, false);
     for (Index i : nodes)
-      set_inner(i, true);
+      set_inner(i, !marks_other_side);
     for (Index i : rest)
-      set_inner(i, false);
+      set_inner(i, marks_other_side);
     return marked(nodes);
   }
 

@@ -75,7 +75,8 @@ private:
       if (!cuts.empty())
         return cuts;
     }
-    const std::vector<Cut_search::Candidate> candidates = search.candidates(segment, nodes(segment));
+    const Cut_search::Candidate_sources sources = find_sources(segment);
+    const std::vector<Cut_search::Candidate> candidates = search.candidates(segment, nodes(segment), sources);
     std::vector<std::optional<Cut>> cuts(candidates.size());
     m_searches.for_each_index(candidates.size(), m_execution.is_parallel(),
                               [&](Segment_search& of_thread, std::size_t i)
@@ -84,6 +85,35 @@ private:
                                 cuts[i] = of_thread.cut_around(segment, nodes(segment), candidates[i]);
                               });
     return Cut_search::different(std::move(cuts));
+  }
+
+  // One thread searches regions while another one goes from tip to tip.
+  Cut_search::Candidate_sources find_sources(Index segment)
+  {
+    Cut_search::Candidate_sources sources;
+    m_searches.for_each_index(2, m_execution.is_parallel() && !m_has_distance,
+                              [&](Segment_search& of_thread, std::size_t i)
+                              {
+                                if (i == 1)
+                                {
+                                  sources.regions = of_thread.regions(segment, nodes(segment));
+                                  return;
+                                }
+                                sources.orders = of_thread.orders(segment, nodes(segment));
+                                find_level_sets(segment, sources);
+                              });
+    return sources;
+  }
+
+  void find_level_sets(Index segment, Cut_search::Candidate_sources& sources)
+  {
+    sources.level_sets.resize(sources.number_of_sweeps());
+    m_searches.for_each_index(sources.number_of_sweeps(), m_execution.is_parallel(),
+                              [&](Segment_search& of_thread, std::size_t sweep)
+                              {
+                                sources.level_sets[sweep] =
+                                  of_thread.level_sets(segment, nodes(segment), sources.orders, sweep);
+                              });
   }
 
   Segment_pool& m_pool;

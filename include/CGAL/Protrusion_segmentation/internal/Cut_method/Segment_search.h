@@ -56,13 +56,39 @@ public:
   Tip_orders& tip_orders() { return m_tip_orders; }
   const Tip_orders& tip_orders() const { return m_tip_orders; }
 
-  // What might be cut off from segment `s` with the given nodes.
-  std::vector<Cut_search::Candidate> candidates(Index s, const Nodes& nodes)
+  // The nodes of segment `s` by their distances from its tips.
+  std::vector<Nodes> orders(Index s, const Nodes& nodes)
   {
-    const std::vector<Nodes> by_distance = orders(s, nodes);
+    const Stage_scope stage(m_execution.observer(), Stage::TIPS);
+    m_execution.check();
+    select(s, nodes);
+    if (!m_distance)
+      return m_tip_orders.from_all_tips(s, nodes);
+    return distance_orders(m_surface, nodes, m_coarse.node, *m_distance, m_execution);
+  }
+
+  Merged_regions regions(Index s, const Nodes& nodes)
+  {
     const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
     m_execution.check();
-    return m_search.candidates(s, nodes, by_distance);
+    select(s, nodes);
+    return m_search.regions(s, nodes);
+  }
+
+  std::vector<Level_set> level_sets(Index s, const Nodes& nodes, const std::vector<Nodes>& orders, std::size_t sweep)
+  {
+    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
+    m_execution.check();
+    select(s, nodes);
+    return m_search.level_sets(nodes, orders, sweep);
+  }
+
+  // What might be cut off from segment `s` with the given nodes.
+  std::vector<Cut_search::Candidate> candidates(Index s, const Nodes& nodes, const Cut_search::Candidate_sources& sources)
+  {
+    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
+    select(s, nodes);
+    return m_search.candidates(s, nodes, sources);
   }
 
   // The cut around one of them, if there is any.
@@ -96,22 +122,14 @@ public:
   }
 
 private:
-  // From here on the partition is about this segment.
+  // From here on the partition is about this segment, which always has the same nodes.
   void select(Index s, const Nodes& nodes)
   {
+    if (m_selected == s)
+      return;
     for (Index i : nodes)
       m_partition.set_segment(i, s);
-  }
-
-  // The nodes by their distances from the tips.
-  std::vector<Nodes> orders(Index s, const Nodes& nodes)
-  {
-    const Stage_scope stage(m_execution.observer(), Stage::TIPS);
-    m_execution.check();
-    select(s, nodes);
-    if (!m_distance)
-      return m_tip_orders.from_all_tips(s, nodes);
-    return distance_orders(m_surface, nodes, m_coarse.node, *m_distance, m_execution);
+    m_selected = s;
   }
 
   const Indexed_surface& m_surface;
@@ -120,6 +138,7 @@ private:
   const Cut_policy& m_policy;
   Execution& m_execution;
   Graph_partition m_partition; // of the coarse graph: the segment that is searched against all else
+  Index m_selected = Indexed_surface::no_face();
   Cut_search m_search;
   Tip_orders m_tip_orders;
 };

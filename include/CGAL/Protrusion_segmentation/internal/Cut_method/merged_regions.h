@@ -99,7 +99,7 @@ private:
     const Weighted_dual_graph& graph = partition.graph();
     for (Index i = 0; i < nodes.size(); ++i)
       number[nodes[i]] = i;
-    m_clusters.assign(nodes.size(), {});
+    m_clusters.resize((std::max)(m_clusters.size(), nodes.size())); // their ties keep their memory
     m_next.assign(nodes.size(), no_node);
     for (Index i = 0; i < nodes.size(); ++i)
     {
@@ -108,10 +108,13 @@ private:
       cluster.cost = 0;
       cluster.last = i;
       cluster.number_of_nodes = 1;
+      cluster.best = {};
+      cluster.tie.clear();
+      cluster.tie.reserve(graph.arcs(nodes[i]).size());
       for (Index arc : graph.arcs(nodes[i]))
         if (partition.segment(graph.target[arc]) == segment && graph.target[arc] != nodes[i])
         {
-          cluster.tie[number[graph.target[arc]]] += graph.capacity[arc];
+          cluster.tie.emplace_hint(cluster.tie.end(), number[graph.target[arc]], 0.)->second += graph.capacity[arc];
           cluster.cost += graph.capacity[arc];
         }
     }
@@ -174,10 +177,9 @@ private:
 
   void move_ties(Index a, Index b)
   {
-    auto ties = std::move(m_clusters[b].tie);
-    m_clusters[b].tie.clear();
-    m_clusters[a].tie.erase(b);
+    boost::container::flat_map<Index, double>& ties = m_clusters[b].tie;
     ties.erase(a);
+    m_clusters[a].tie.erase(b);
     for (const auto& [neighbor, tie] : ties)
     {
       m_clusters[a].tie[neighbor] += tie;
@@ -185,6 +187,7 @@ private:
       m_clusters[neighbor].tie[a] += tie;
       offer(a, neighbor);
     }
+    ties.clear();
   }
 
   // Clusters have become nodes of one list, or of several if the segment is not connected.

@@ -11,6 +11,7 @@
 
 #include <boost/graph/boykov_kolmogorov_max_flow.hpp>
 #include <boost/graph/compressed_sparse_row_graph.hpp>
+#include <boost/property_map/function_property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -62,19 +63,19 @@ public:
   {
     Graph graph(boost::edges_are_sorted, m_ends.begin(), m_ends.end(), m_arcs.begin(), m_sink + 1);
     using Edge = typename boost::graph_traits<Graph>::edge_descriptor;
-    const std::vector<Edge> descriptors(edges(graph).first, edges(graph).second);
-    std::vector<Edge> opposites;
-    opposites.reserve(descriptors.size());
-    for (Index opposite : m_opposites)
-      opposites.push_back(descriptors[opposite]);
 
     const auto vertex_index = get(boost::vertex_index, graph);
     const auto edge_index = get(boost::edge_index, graph);
+    const auto opposite = [&](const Edge& edge)
+    {
+      const Index arc = get(edge_index, edge);
+      return Edge(m_ends[arc].second, m_opposites[arc]);
+    };
     std::vector<boost::default_color_type> colors(m_sink + 1);
     std::vector<Edge> predecessors(m_sink + 1);
     std::vector<Index> distances(m_sink + 1);
     boykov_kolmogorov_max_flow(graph, get(&Arc::capacity, graph), get(&Arc::residual, graph),
-                               boost::make_iterator_property_map(opposites.begin(), edge_index),
+                               boost::make_function_property_map<Edge>(opposite),
                                boost::make_iterator_property_map(predecessors.begin(), vertex_index),
                                boost::make_iterator_property_map(colors.begin(), vertex_index),
                                boost::make_iterator_property_map(distances.begin(), vertex_index),
