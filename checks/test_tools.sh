@@ -144,6 +144,16 @@ test_example_meshes()
   expect 2 "$make_mesh" snail examples/snail.off
   expect 1 "$make_mesh" teddy examples/missing/teddy.off --faces 1000
   expect_one_line "examples/missing/teddy.off: cannot be written"
+  expect 1 "$make_mesh" teddy examples/teddy.xyz --faces 1000
+  expect_one_line "examples/teddy.xyz: cannot be written: only .off, .ply, .obj and .stl are known"
+  local extension
+  for extension in off ply obj stl; do
+    expect 0 "$make_mesh" teddy examples/small.$extension --faces 1000
+    expect 0 "$segment" examples/small.$extension -k 2 -o examples/small.seg
+    ln -s /dev/full examples/full.$extension
+    expect 1 "$make_mesh" teddy examples/full.$extension --faces 1000
+    expect_one_line "examples/full.$extension: cannot be written"
+  done
   rm -r examples
 }
 
@@ -419,6 +429,10 @@ test_unwritable_outputs()
     expect_one_line "$name: cannot be written"
     expect_files out folder.ply
   done
+  echo private >out/a.seg
+  chmod 640 out/a.seg
+  expect 0 "$segment" "$in" -o out/a.seg
+  [ "$(stat -c %a out/a.seg)" = 640 ] || fail "$command: a file that was replaced has other permissions"
   echo old >out/a.seg
   expect 1 "$segment" "$in" -o out/a.seg --json /dev/full
   expect_one_line "/dev/full: cannot be written: No space left on device"
@@ -854,6 +868,34 @@ test_ended_process()
   expect_text ended/large.json '"error": "outputs/large.off: its process was ended by signal '
 }
 
+# The processes that segment end with the one that began them, also if that is killed.
+test_ended_parent()
+{
+  expect 0 "$make_mesh" octopus outputs/larger.off --faces 100000
+  command="a collection that is killed"
+  "$segment" outputs/larger.off outputs/large.off --distance exact --output-folder killed --jobs 2 >stdout 2>stderr &
+  local parent=$! children="" child
+  local list=/proc/$parent/task/$parent/children
+  [ -r $list ] || { kill -KILL $parent; return 0; } # no such list on this system
+  for _ in $(seq 100); do
+    children=$(cat $list)
+    [ "$(wc -w <<<"$children")" = 2 ] && break
+    sleep .1
+  done
+  [ "$(wc -w <<<"$children")" = 2 ] || fail "$command: not two processes"
+  kill -KILL $parent
+  wait $parent
+  for child in $children; do
+    for _ in $(seq 100); do
+      is_running "$child" || break
+      sleep .1
+    done
+    is_running "$child" && fail "$command: its processes go on"
+  done
+}
+
+is_running() { [ -r "/proc/$1/status" ] && ! grep -q '^State:.*Z' "/proc/$1/status"; }
+
 # New meshes with smooth borders: closed, with the old face of each new one, and labels of the old faces in SEG.
 test_smooth_borders()
 {
@@ -1005,6 +1047,7 @@ test_VTP
 test_collection
 test_files_of_earlier_runs
 test_ended_process
+test_ended_parent
 test_ended_while_writing
 test_meshes_of_the_same_name
 test_long_and_special_names

@@ -47,10 +47,20 @@ int main(int argc, char* argv[])
   Points points;
   Polygons polygons;
   Mesh whole;
-  if (argc > 1 ? !CGAL::IO::read_polygon_soup(argv[1], points, polygons) : !read_or_make_mesh(argc, argv, whole))
-    return EXIT_FAILURE;
-  if (argc <= 1)
+  if (argc > 1)
+  {
+    if (!CGAL::IO::read_polygon_soup(argv[1], points, polygons))
+    {
+      std::cerr << argv[1] << " is no polygon soup that can be read" << std::endl;
+      return EXIT_FAILURE;
+    }
+  }
+  else
+  {
+    if (!read_or_make_mesh(argc, argv, whole))
+      return EXIT_FAILURE;
     take_apart(whole, points, polygons);
+  }
 
   Mesh mesh;
   const auto found = CGAL::polygon_soup_to_manifold_mesh(points, polygons, mesh);

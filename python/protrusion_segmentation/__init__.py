@@ -49,7 +49,8 @@ def segment(
     ----------
     vertices : (n, 3) array of coordinates
     faces : (m, 3) or (m, k) array of corners, or sequence of m polygons
-    number_of_segments : from 1 to m; by default as many as there are evident protrusions
+    number_of_segments : from 1 to m, where duplicate faces count once; by default as many as there are evident
+        protrusions
     method : "minimum-cut", minimum cuts along concave seams; or "paper", that of Aono, Wakida and Tatsuma
     distance : on the surface. By default that of the method: geodesic for "paper", and for "minimum-cut" one of its
         own. "geodesic": shortest paths in the face dual graph; "landmark": the same by way of random landmarks;
@@ -98,7 +99,7 @@ def segment_from_tips(
     return _core.segment_from_tips(*_arrays(vertices, faces), picked, *choices, _seed(random_seed))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)  # arrays have no one answer to whether they are equal
 class Hierarchy:
     """The nested protrusions of a mesh as a tree, and its segmentations for every number of segments.
 
@@ -237,7 +238,7 @@ def _integers(name: str, values: npt.ArrayLike) -> Labels:
         raise ValueError(f"{name}: the shape is {array.shape}, not that of a row")
     if array.size > 0 and array.dtype.kind not in "iu":
         raise ValueError(f"{name}: not all of them are integers")
-    if array.dtype.kind == "u" and array.size > 0 and array.max() > np.iinfo(np.int64).max:
+    if array.dtype.kind == "u" and array.size > 0 and int(array.max()) > np.iinfo(np.int64).max:
         raise ValueError(f"{name}: {array.max()} is too large")
     return np.ascontiguousarray(array, dtype=np.int64)
 

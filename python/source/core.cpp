@@ -237,4 +237,14 @@ PYBIND11_MODULE(_core, module)
   module.def("hierarchy", &python::hierarchy);
   module.def("tips", &python::tips);
   module.def("evaluate", &python::evaluate);
+  using python::py::cpp_function;
+  python::py::module_::import("atexit").attr("register")(cpp_function([]() { python::calls().end(); }));
+  const python::py::module_ os = python::py::module_::import("os");
+  if (hasattr(os, "register_at_fork"))
+    os.attr("register_at_fork")(python::py::arg("after_in_child") = cpp_function(
+                                  []()
+                                  {
+                                    python::calls().forget();
+                                    python::interrupted_threads().forget();
+                                  }));
 }

@@ -13,8 +13,11 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <future>
 #include <memory>
+#include <mutex>
+#include <set>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -45,6 +48,13 @@ public:
       thread.join();
   }
   void add(std::thread thread) { m_threads.push_back(std::move(thread)); }
+  // in a process that was forked, which has none of them
+  void forget()
+  {
+    for (std::thread& thread : m_threads)
+      thread.detach();
+    m_threads.clear();
+  }
 
 private:
   std::vector<std::thread> m_threads;
@@ -54,6 +64,73 @@ inline Interrupted_threads& interrupted_threads()
 {
   static Interrupted_threads threads;
   return threads;
+}
+
+// The calls that are under way. Python ends a thread that asks for the GIL after the interpreter, as daemon threads do, and
+// C++ ends the process then; so all calls of other threads have to be over before.
+class Calls
+{
+public:
+  // One call, from its beginning to its end. Made with the GIL, which is what keeps the calls from each other.
+  class Call
+  {
+  public:
+    Call(Calls& calls, std::atomic<bool>& is_stopped) : m_calls(calls), m_is_stopped(is_stopped)
+    {
+      m_calls.exit_if_ended();
+      const std::lock_guard<std::mutex> lock(m_calls.m_mutex);
+      m_calls.m_under_way.insert(&m_is_stopped);
+    }
+    Call(const Call&) = delete;
+    Call& operator=(const Call&) = delete;
+    ~Call()
+    {
+      const std::lock_guard<std::mutex> lock(m_calls.m_mutex);
+      m_calls.m_under_way.erase(&m_is_stopped);
+      m_calls.m_one_is_over.notify_all();
+    }
+
+  private:
+    Calls& m_calls;
+    std::atomic<bool>& m_is_stopped;
+  };
+
+  // Stops all calls, and waits until they are over. The thread that runs this may begin others.
+  void end()
+  {
+    m_ending_thread = std::this_thread::get_id();
+    m_is_ended = true;
+    const pybind11::gil_scoped_release released;
+    std::unique_lock<std::mutex> lock(m_mutex);
+    for (std::atomic<bool>* const is_stopped : m_under_way)
+      *is_stopped = true;
+    m_one_is_over.wait(lock, [this]() { return m_under_way.empty(); });
+  }
+
+  // in a process that was forked, which has none of them
+  void forget() { m_under_way.clear(); }
+
+  // With the GIL: ends the thread that asks, as Python does without a word, if the interpreter is about to end.
+  void exit_if_ended() const
+  {
+    if (!m_is_ended || std::this_thread::get_id() == m_ending_thread)
+      return;
+    PyErr_SetNone(PyExc_SystemExit);
+    throw pybind11::error_already_set();
+  }
+
+private:
+  std::mutex m_mutex;
+  std::condition_variable m_one_is_over;
+  std::set<std::atomic<bool>*> m_under_way;
+  bool m_is_ended = false;
+  std::thread::id m_ending_thread;
+};
+
+inline Calls& calls()
+{
+  static Calls calls;
+  return calls;
 }
 
 // People feel no delay below a tenth of a second; a look takes microseconds.
@@ -79,6 +156,7 @@ template <typename Run>
 auto run_interruptibly(Run run)
 {
   const auto is_stopped = std::make_shared<std::atomic<bool>>(false);
+  const Calls::Call call(calls(), *is_stopped);
   std::packaged_task<std::invoke_result_t<Run&, Stoppable&>()> task(
     [run = std::move(run), is_stopped]() mutable
     {
@@ -95,6 +173,7 @@ auto run_interruptibly(Run run)
     throw pybind11::error_already_set();
   }
   thread.join();
+  calls().exit_if_ended();
   return result.get();
 }
 

@@ -39,6 +39,7 @@ FACES = [
     (with_value(TRIANGLES, (1, 2), -1), "^faces: face 1 has the corner -1, but there are 4 vertices$"),
     ([[0, 1, 2], [0, 1, 2, 9]], "^faces: face 1 has the corner 9, but there are 4 vertices$"),
     (with_value(TRIANGLES.astype(np.uint64), (0, 0), 2**64 - 1), "^faces: 18446744073709551615 is too large$"),
+    (with_value(TRIANGLES.astype(np.uint64), (0, 0), 2**63 + 5), "^faces: 9223372036854775813 is too large$"),
     ([[0, 1, 2**70]], "^faces: not all of them are integers$"),
     (TRIANGLES * 1.0, "^faces: not all of them are integers$"),
     (TRIANGLES > 1, "^faces: not all of them are integers$"),

@@ -218,3 +218,9 @@ def test_labels_are_those_of_the_tool(tmp_path, shape, options):
     points = np.loadtxt(lines[1 : n + 1])
     faces = np.loadtxt(lines[n + 1 : n + m + 1], dtype=int)[:, 1:4]
     assert (ps.segment(points, faces, **options) == np.loadtxt(segments, dtype=int)).all()
+
+
+def test_hierarchies_are_compared_as_objects():
+    found, other = ps.hierarchy(POINTS, TRIANGLES, 2), ps.hierarchy(POINTS, TRIANGLES, 2)
+    assert found == found and found != other
+    assert len({found, other}) == 2

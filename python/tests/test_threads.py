@@ -107,3 +107,17 @@ def test_the_process_ends_well_after_an_interrupt():
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
     done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, timeout=300)
     assert (done.returncode, done.stdout, done.stderr) == (0, "interrupted\n", "")
+
+
+def test_the_process_ends_well_while_another_thread_computes():
+    program = (
+        "import threading, time\n"
+        "import protrusion_segmentation as ps\n"
+        "from meshes import ball_with_arms\n"
+        "points, triangles = ball_with_arms(7)\n"
+        "threading.Thread(target=ps.segment, args=(points, triangles, 7, 'paper', 'diffusion'), daemon=True).start()\n"
+        "time.sleep(.2)\n"
+    )
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, timeout=300)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")

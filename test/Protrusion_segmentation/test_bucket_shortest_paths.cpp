@@ -5,6 +5,8 @@
 // Shortest paths by buckets on graphs of the Boost Graph Library: the distances of its own algorithm to the last bit, and
 // predecessors that lie on a shortest path.
 
+#include <boost/graph/dijkstra_shortest_paths.hpp> // first: it knows no pointers after headers with a `get()` of graphs
+
 #include "check.h"
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
@@ -69,6 +71,22 @@ void check_paths(const Graph& graph, WeightMap weight, const Sources& sources)
   boost::dijkstra_shortest_paths(graph, first, boost::weight_map(weight).distance_map(map(expected)));
   bucket_shortest_paths(graph, first, boost::weight_map(weight).distance_map(map(of_one)));
   CHECK(of_one == expected);
+}
+
+// Pointers are property maps of vertices that are numbers, here as for Boost's.
+void pointers_are_property_maps()
+{
+  using Graph = List_graph<boost::directedS, double>;
+  Graph graph(3);
+  boost::add_edge(0, 1, 2., graph);
+  boost::add_edge(1, 2, 3., graph);
+  std::vector<double> expected(3), found(3);
+  std::vector<std::size_t> expected_predecessors(3), predecessors(3);
+  boost::dijkstra_shortest_paths(graph, vertex(0, graph),
+                                 boost::distance_map(&expected[0]).predecessor_map(&expected_predecessors[0]));
+  bucket_shortest_paths(graph, vertex(0, graph), boost::distance_map(&found[0]).predecessor_map(&predecessors[0]));
+  CHECK(found == expected);
+  CHECK(predecessors == expected_predecessors);
 }
 
 template <typename Direction, typename Number>
@@ -147,6 +165,7 @@ void parameters_are_those_of_boost()
 
 int main()
 {
+  pointers_are_property_maps();
   equals_boost_on_random_graphs<boost::directedS>(1.);
   equals_boost_on_random_graphs<boost::undirectedS>(1e-200);
   equals_boost_on_random_graphs<boost::directedS>(1000);

@@ -10,6 +10,7 @@
 #include "weighted_dual_graphs.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_clues.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 
 using namespace test_meshes;
@@ -329,8 +330,33 @@ void scale_position_and_orientation_do_not_matter()
   }
 }
 
+// Without a number of segments flat pieces count for less, and so do cuts without a shoulder, such as those through a trunk.
+void without_a_number_more_has_to_speak_for_a_cut()
+{
+  const auto loss = [](const Cut_clues& clues)
+  { return internal::default_cut_policy().log_odds(clues) - internal::evident_cut_policy().log_odds(clues); };
+  Cut_clues clues = {};
+  CHECK(loss(clues) > 0);
+  double last = loss(clues);
+  for (const double shoulder : {0.15, 0.2, 0.25, 0.3})
+  {
+    clues.larger_shoulder = shoulder;
+    CHECK(loss(clues) < last);
+    last = loss(clues);
+  }
+  CHECK(last < 0);
+  for (const double flatness : {0.7, 0.8, 0.9, 1.})
+  {
+    clues.flatness = flatness;
+    CHECK(loss(clues) > last);
+    last = loss(clues);
+  }
+  CHECK(last > 0);
+}
+
 int main()
 {
+  without_a_number_more_has_to_speak_for_a_cut();
   a_straight_bar(10, 2, 2);
   a_straight_bar(40, 3, 3);
   a_straight_bar(30, 8, 1);

@@ -8,6 +8,9 @@
 #define PROTRUSION_SEGMENTATION_HAS_FORK
 #include <sys/wait.h>
 #include <unistd.h>
+#if __has_include(<sys/prctl.h>)
+#include <sys/prctl.h>
+#endif
 
 #include <array>
 #include <cerrno>
@@ -49,6 +52,17 @@ std::string reason_of_end(int status)
   return "its process ended with exit code " + std::to_string(WEXITSTATUS(status));
 }
 
+// A child that is left alone, as when somebody ends its parent alone, shall not go on for hours, and write files
+// beside a second run.
+void end_with([[maybe_unused]] pid_t parent)
+{
+#ifdef PR_SET_PDEATHSIG
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (getppid() != parent) // it ended before
+    _exit(1);
+#endif
+}
+
 class Processes
 {
 public:
@@ -65,9 +79,11 @@ public:
     if (pipe(ends) != 0)
       return tell_error(task);
     std::cout.flush(); // else the child would have a copy of what waits there
+    const pid_t parent = getpid();
     const pid_t child = fork();
     if (child == 0)
     {
+      end_with(parent);
       send(ends[1], m_task(task));
       _exit(0);
     }

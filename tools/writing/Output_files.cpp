@@ -104,8 +104,7 @@ void Output_files::write_file(const std::string& name, const fs::path& file, con
 void Output_files::publish(const File& file)
 {
   std::error_code error;
-  fs::rename(file.temporary->name(), target_of(file.name), error);
-  if (error)
+  if (!CGAL::Protrusion_segmentation::internal::replace_file(file.temporary->name(), target_of(file.name), error))
     throw Error(file.name, "cannot be written: " + error.message());
 }
 

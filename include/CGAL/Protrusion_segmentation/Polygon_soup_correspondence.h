@@ -47,9 +47,12 @@ struct Polygon_soup_correspondence
   /// what had to be repaired
   Polygon_soup_repairs repairs;
 
-  /// writes a label for every polygon, from labels of the faces, and returns the advanced iterator.
+  /// writes a label for every polygon, from labels of the faces.
   /// \tparam FaceMap a model of `ReadablePropertyMap` with `face_descriptor` as key type
   /// \tparam OutputIterator a model of `OutputIterator` that accepts the value type of `FaceMap`
+  /// \param labels the labels of the faces
+  /// \param out where the labels of the polygons are written, in the order of the polygons
+  /// \return `out`, advanced
   template <typename FaceMap, typename OutputIterator>
   OutputIterator labels_of_polygons(FaceMap labels, OutputIterator out) const
   {

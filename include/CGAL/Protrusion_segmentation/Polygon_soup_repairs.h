@@ -33,8 +33,9 @@ struct Polygon_soup_repairs
   /// connected components of the mesh; no repair
   std::size_t components = 0;
 
-  /// whether every polygon became a face as it is, joined to all that it shares edges with, and no edge has more than
-  /// two polygons
+  /// tells whether nothing had to be repaired.
+  /// \return whether every polygon became a face as it is, joined to all that it shares edges with, and no edge has more
+  ///         than two polygons
   bool is_nothing() const
   {
     return degenerate_polygons + duplicate_polygons + non_manifold_edges + unorientable_edges + reversed_polygons +

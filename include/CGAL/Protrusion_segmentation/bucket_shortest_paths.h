@@ -60,6 +60,8 @@ public:
   template <typename VertexIterator>
   void operator()(VertexIterator begin, VertexIterator end)
   {
+    using boost::get; // of pointers as property maps, which CGAL::get() hides
+    using boost::put;
     Bucket_ring<Vertex> ring = start();
     if (!ring.is_usable())
       return run_boost(begin, end);
@@ -76,6 +78,8 @@ private:
   // Gives every vertex its first values, and measures the arcs.
   Bucket_ring<Vertex> start()
   {
+    using boost::get;
+    using boost::put;
     double sum = 0, longest = 0;
     std::size_t number = 0;
     for (const Vertex v : boost::make_iterator_range(vertices(m_graph)))
@@ -97,6 +101,8 @@ private:
 
   void scan(const Vertex& v, Bucket_ring<Vertex>& ring)
   {
+    using boost::get;
+    using boost::put;
     const Distance to_v = get(m_distance, v);
     for (const auto arc : boost::make_iterator_range(out_edges(v, m_graph)))
     {

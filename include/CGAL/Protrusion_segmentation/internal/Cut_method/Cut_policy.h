@@ -75,6 +75,9 @@ public:
 // Princeton benchmark is .0874, without .0880, and the cut discrepancy .161 for .175; with a weight of 8, or limits up to .7,
 // they are .0873 to .0879 and .160 to .161. Of other meshes, terrain, a mushroom and the shell of a turtle stay in one piece.
 // With a number of segments, where flat ones are welcome if nothing else is left, errors do not change.
+//
+// Besides, shoulders count twice as much, and a cut without any needs more to speak for it. Trunks of animals are not cut into
+// bands then, and segments are as steady; on the Princeton benchmark errors are .090 and .093 for .088 and .093.
 class Evident_cut_policy : public Cut_policy
 {
 public:
@@ -82,8 +85,22 @@ public:
   {
     constexpr double largest_flatness = 0.6;
     constexpr double weight_of_flatness = 12;
-    return Cut_policy::log_odds(clues) - weight_of_flatness * (std::max)(0., clues.flatness - largest_flatness);
+    return m_weights(clues) - weight_of_flatness * (std::max)(0., clues.flatness - largest_flatness);
   }
+
+private:
+  // Of 59 meshes from elsewhere a koala keeps its band with a weight of 6, a cow its two with a weight of 7, each with a bias
+  // that gives the same sum at a shoulder of .2. A bias of -2.6 brings them back; of -2.8, segments are less steady.
+  static Cut_weights weights_without_number()
+  {
+    Cut_weights weights;
+    weights.bias = -3;
+    weights.larger_shoulder = 8;
+    weights.largest_larger_shoulder = 0.3;
+    return weights;
+  }
+
+  Cut_weights m_weights = weights_without_number();
 };
 
 inline double logistic(double log_odds)

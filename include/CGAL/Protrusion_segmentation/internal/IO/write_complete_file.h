@@ -65,6 +65,20 @@ private:
   std::filesystem::path m_name;
 };
 
+// Puts a file in the place of another one, if there is any, with the permissions of that; returns false if that fails.
+inline bool replace_file(const std::filesystem::path& file, const std::filesystem::path& target, std::error_code& error)
+{
+  namespace fs = std::filesystem;
+
+  const fs::file_status before = fs::status(target, error);
+  error.clear();
+  if (fs::is_regular_file(before))
+    fs::permissions(file, before.permissions(), error);
+  if (!error)
+    fs::rename(file, target, error);
+  return !error;
+}
+
 // The standard output by its name as a file. That may be one that has been written to, which must not be replaced.
 inline bool is_standard_output(const std::string& file_name)
 {
@@ -103,9 +117,7 @@ bool write_complete_file(const std::string& file_name, const Write& write)
   const Temporary_file temporary(target);
   if (!write_file(temporary.name(), write))
     return false;
-  error.clear();
-  fs::rename(temporary.name(), target, error);
-  return !error;
+  return replace_file(temporary.name(), target, error);
 }
 
 } // namespace internal
