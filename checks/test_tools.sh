@@ -433,6 +433,16 @@ test_unwritable_outputs()
   chmod 640 out/a.seg
   expect 0 "$segment" "$in" -o out/a.seg
   [ "$(stat -c %a out/a.seg)" = 640 ] || fail "$command: a file that was replaced has other permissions"
+  ln -s a.seg out/link.seg
+  ln -s b.seg out/to_nothing.seg
+  expect 0 "$segment" "$in" -o out/link.seg -o out/to_nothing.seg
+  expect_files out folder.ply a.seg b.seg link.seg to_nothing.seg
+  [ -h out/link.seg ] && [ -h out/to_nothing.seg ] || fail "$command: a link was replaced"
+  cmp -s out/a.seg out/b.seg || fail "$command: what a link leads to was not written"
+  ln -s circle.seg out/circle.seg
+  expect 1 "$segment" "$in" -o out/circle.seg
+  expect_one_line "out/circle.seg: cannot be written"
+  rm out/b.seg out/link.seg out/to_nothing.seg out/circle.seg
   echo old >out/a.seg
   expect 1 "$segment" "$in" -o out/a.seg --json /dev/full
   expect_one_line "/dev/full: cannot be written: No space left on device"

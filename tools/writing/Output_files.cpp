@@ -90,7 +90,10 @@ fs::path Output_files::target_of(const std::string& name)
   std::error_code error;
   if (fs::is_directory(name, error))
     throw Error(name, "cannot be written: it is a folder");
-  return fs::is_symlink(name, error) ? fs::weakly_canonical(name, error) : fs::path(name);
+  const fs::path target = CGAL::Protrusion_segmentation::internal::target_of_links(name);
+  if (fs::is_symlink(target, error))
+    throw Error(name, "cannot be written: too many links");
+  return target;
 }
 
 void Output_files::write_file(const std::string& name, const fs::path& file, const Write& write)

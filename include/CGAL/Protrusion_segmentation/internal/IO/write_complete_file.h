@@ -94,6 +94,18 @@ inline bool is_stream(const std::string& file_name)
           !std::filesystem::is_directory(file_name, error));
 }
 
+// What a name stands for by way of links, also if there is nothing yet.
+inline std::filesystem::path target_of_links(std::filesystem::path file)
+{
+  namespace fs = std::filesystem;
+
+  constexpr int most_links = 40; // as the system has it; links may lead in a circle
+  std::error_code error;
+  for (int i = 0; i < most_links && fs::is_symlink(file, error); ++i)
+    file = file.parent_path() / fs::read_symlink(file, error); // which is the latter, if that is absolute
+  return file;
+}
+
 // Writes what `write(std::ostream&)` writes to `file_name`; returns false if that fails, and leaves
 // the file that was there, if any. Links are followed; devices and pipes are written directly.
 template <typename Write>
@@ -110,9 +122,8 @@ bool write_complete_file(const std::string& file_name, const Write& write)
   if (is_stream(file_name))
     return write_file(file_name, write);
   std::error_code error;
-  const fs::path target = fs::is_symlink(file_name, error) ? fs::weakly_canonical(file_name, error)
-                                                           : fs::path(file_name);
-  if (target.empty() || fs::is_directory(target, error))
+  const fs::path target = target_of_links(file_name);
+  if (target.empty() || fs::is_symlink(target, error) || fs::is_directory(target, error))
     return false;
   const Temporary_file temporary(target);
   if (!write_file(temporary.name(), write))
