@@ -92,6 +92,13 @@ def test_threads_get_the_same_labels():
     assert all((labels == results[0]).all() for labels in results)
 
 
+def outcome(program):
+    """The exit code of a program of its own, and what it writes to its standard output and error."""
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, timeout=300)
+    return done.returncode, done.stdout, done.stderr
+
+
 def test_the_process_ends_well_after_an_interrupt():
     program = (
         "import os, signal, threading\n"
@@ -104,9 +111,7 @@ def test_the_process_ends_well_after_an_interrupt():
         "except KeyboardInterrupt:\n"
         "    print('interrupted')\n"
     )
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-    done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, timeout=300)
-    assert (done.returncode, done.stdout, done.stderr) == (0, "interrupted\n", "")
+    assert outcome(program) == (0, "interrupted\n", "")
 
 
 def test_the_process_ends_well_while_another_thread_computes():
@@ -118,6 +123,4 @@ def test_the_process_ends_well_while_another_thread_computes():
         "threading.Thread(target=ps.segment, args=(points, triangles, 7, 'paper', 'diffusion'), daemon=True).start()\n"
         "time.sleep(.2)\n"
     )
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
-    done = subprocess.run([sys.executable, "-c", program], env=environment, capture_output=True, text=True, timeout=300)
-    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    assert outcome(program) == (0, "", "")

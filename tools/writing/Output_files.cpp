@@ -106,8 +106,9 @@ void Output_files::write_file(const std::string& name, const fs::path& file, con
 
 void Output_files::publish(const File& file)
 {
-  std::error_code error;
-  if (!CGAL::Protrusion_segmentation::internal::replace_file(file.temporary->name(), target_of(file.name), error))
+  using CGAL::Protrusion_segmentation::internal::replace_file;
+
+  if (const std::error_code error = replace_file(file.temporary->name(), target_of(file.name)))
     throw Error(file.name, "cannot be written: " + error.message());
 }
 

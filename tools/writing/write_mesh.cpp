@@ -6,8 +6,8 @@
 
 #include "command_line/Error.h"
 #include "reading/lower_case_extension.h"
+#include "writing/write_output.h"
 
-#include <CGAL/Protrusion_segmentation/internal/IO/write_complete_file.h>
 #include <CGAL/boost/graph/IO/OBJ.h>
 #include <CGAL/boost/graph/IO/OFF.h>
 #include <CGAL/boost/graph/IO/PLY.h>
@@ -38,8 +38,7 @@ void write_mesh(const std::string& file_name, const Mesh& mesh)
   const auto writer = writers.find(lower_case_extension(file_name));
   if (writer == writers.end())
     throw Error(file_name, "cannot be written: only .off, .ply, .obj and .stl are known");
-  if (!CGAL::Protrusion_segmentation::internal::write_complete_file(file_name, writer->second))
-    throw Error(file_name, "cannot be written");
+  write_output(file_name, writer->second);
 }
 
 } // namespace tool

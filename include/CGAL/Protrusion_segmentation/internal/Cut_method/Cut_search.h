@@ -75,13 +75,13 @@ public:
   template <typename Accept = Accept_all>
   std::vector<Cut> cuts(Index segment,
                         const Nodes& nodes,
-                        const std::vector<Nodes>& orders,
+                        std::vector<Nodes> orders,
                         Accept accept = Accept())
   {
     Candidate_sources sources;
-    sources.orders = orders;
+    sources.orders = std::move(orders);
     for (std::size_t sweep = 0; sweep < sources.number_of_sweeps(); ++sweep)
-      sources.level_sets.push_back(level_sets(nodes, orders, sweep));
+      sources.level_sets.push_back(level_sets(nodes, sources.orders, sweep));
     sources.regions = regions(segment, nodes);
     std::vector<std::optional<Cut>> result;
     for (const Candidate& candidate : candidates(segment, nodes, sources, accept))

@@ -118,7 +118,7 @@ public:
     std::vector<Nodes> by_distance = orders(s, nodes);
     by_distance.push_back(m_tip_orders.from_tip(s, tip).nodes);
     const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
-    return m_search.cuts(s, nodes, by_distance, accept);
+    return m_search.cuts(s, nodes, std::move(by_distance), accept);
   }
 
 private:

@@ -65,18 +65,19 @@ private:
   std::filesystem::path m_name;
 };
 
-// Puts a file in the place of another one, if there is any, with the permissions of that; returns false if that fails.
-inline bool replace_file(const std::filesystem::path& file, const std::filesystem::path& target, std::error_code& error)
+// Puts a file in the place of another one, if there is any, with the permissions of that; returns what is in the way.
+inline std::error_code replace_file(const std::filesystem::path& file, const std::filesystem::path& target)
 {
   namespace fs = std::filesystem;
 
+  std::error_code error;
   const fs::file_status before = fs::status(target, error);
   error.clear();
   if (fs::is_regular_file(before))
     fs::permissions(file, before.permissions(), error);
   if (!error)
     fs::rename(file, target, error);
-  return !error;
+  return error;
 }
 
 // The standard output by its name as a file. That may be one that has been written to, which must not be replaced.
@@ -128,7 +129,7 @@ bool write_complete_file(const std::string& file_name, const Write& write)
   const Temporary_file temporary(target);
   if (!write_file(temporary.name(), write))
     return false;
-  return replace_file(temporary.name(), target, error);
+  return !replace_file(temporary.name(), target);
 }
 
 } // namespace internal
