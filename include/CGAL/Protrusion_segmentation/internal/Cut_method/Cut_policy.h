@@ -76,8 +76,8 @@ public:
 // they are .0873 to .0879 and .160 to .161. Of other meshes, terrain, a mushroom and the shell of a turtle stay in one piece.
 // With a number of segments, where flat ones are welcome if nothing else is left, errors do not change.
 //
-// Besides, shoulders count twice as much, and a cut without any needs more to speak for it. Trunks of animals are not cut into
-// bands then, and segments are as steady; on the Princeton benchmark errors are .090 and .093 for .088 and .093.
+// Besides, shoulders count twice as much, and a cut without any needs more to speak for it. Fewer trunks of animals are cut
+// into bands then, and segments are as steady; on the Princeton benchmark errors are .090 and .093 for .088 and .093.
 class Evident_cut_policy : public Cut_policy
 {
 public:
@@ -90,7 +90,7 @@ public:
 
 private:
   // Of 59 meshes from elsewhere a koala keeps its band with a weight of 6, a cow its two with a weight of 7, each with a bias
-  // that gives the same sum at a shoulder of .2. A bias of -2.6 brings them back; of -2.8, segments are less steady.
+  // that gives the same sum at a shoulder of .2. A bias of -2.6 brings them back; -2.8 is as good within chance.
   static Cut_weights weights_without_number()
   {
     Cut_weights weights;
