@@ -64,14 +64,16 @@ struct Without_minimum_cut_on_faces : Cut_policy
   bool moves_borders_on_faces() const override { return false; }
 };
 
-// Some clues have their means over the candidate cuts of development models.
+// Some clues have their means over the candidate cuts of development models; flatness does not count where a number of
+// segments is given.
 struct Without_clues : Cut_policy
 {
   explicit Without_clues(std::vector<double Cut_clues::*> clues) : m_left_out(std::move(clues)) {}
 
   double log_odds(const Cut_clues& clues) const override
   {
-    constexpr Cut_clues mean = {0.58, 0.69, -1.50, 0.13, -0.25, 0.18, -0.26, -0.25, 0.32, 1.22, -0.93, -0.68, 3.97, 0.09};
+    constexpr Cut_clues mean = {0.58, 0.69, -1.50, 0.13, -0.25, 0.18, -0.26, -0.25,
+                                0.32, 1.22, -0.93, -0.68, 3.97, 0.09, 0};
     Cut_clues others = clues;
     for (double Cut_clues::*clue : m_left_out)
       others.*clue = mean.*clue;

@@ -43,6 +43,8 @@ public:
   virtual void distances_computed(std::size_t /* number_of_runs */) {}
   virtual void tip_selected(Index /* face */) {}
   virtual void tip_eliminated(Index /* face */) {}
+  // whether it matters what protrusions are told of
+  virtual bool looks_at_protrusions() const { return false; }
   virtual void protrusion_found(const Protrusion<Index>&) {}
 };
 

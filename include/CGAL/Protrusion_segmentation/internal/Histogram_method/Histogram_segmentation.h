@@ -57,15 +57,37 @@ struct Segment_surface
       std::lower_bound(faces.begin(), faces.end(), face_of_whole_surface) - faces.begin());
   }
 
-  // The distances from the next tip may be wanted a second time.
-  void keep(const std::vector<double>& from_tip)
+  // The distances from the next tip will be wanted a second time. Returns whether there is room for them.
+  bool keep(const std::vector<double>& from_tip)
   {
-    if ((from_tips.size() + 1) * from_tip.size() <= most_kept_distances)
-      from_tips.push_back(from_tip);
+    if ((from_tips.size() + 1) * from_tip.size() > most_kept_distances)
+      return false;
+    from_tips.push_back(from_tip);
+    return true;
+  }
+
+  // The distances from a tip by its number, at least up to a bound.
+  const std::vector<double>& from(std::size_t number, Indexed_surface::Index tip, double bound)
+  {
+    if (number < from_tips.size())
+      return from_tips[number];
+    (*distances)(tip, m_from_tip, bound);
+    return m_from_tip;
+  }
+
+  // Work arrays for sections, from the first time on that one is wanted.
+  Plane_section& section()
+  {
+    if (!m_section)
+      m_section.emplace(surface);
+    return *m_section;
   }
 
 private:
   static constexpr std::size_t most_kept_distances = std::size_t(1) << 20; // 8 MB
+
+  std::vector<double> m_from_tip;
+  std::optional<Plane_section> m_section;
 };
 
 // The flow of Fig. 2: tips in the largest segment, a border for each, labels, until there are enough
@@ -127,7 +149,7 @@ public:
       const Next_segment progress(m_execution, s, tips_of_segment.size());
       Segment_surface segment = make_segment(s);
       record_given_tips(segment, tips_of_segment[s]);
-      cut_off_all(segment, find_borders_of_given_tips(s, tips_of_segment[s].size()));
+      cut_off_all(segment, find_borders_of_given_tips(segment, tips_of_segment[s].size()));
       m_observer.distances_computed(segment.distances->number_of_runs());
     }
     return std::move(m_segments);
@@ -192,7 +214,12 @@ private:
       need_segment();
       select_tips(*segment, wanted);
     }
-    const std::vector<Tip_border> borders = find_borders(id, wanted);
+    const auto measure = [&](std::size_t tip, std::size_t number_of_slots)
+    {
+      need_segment();
+      measure_first_slots(*segment, m_records[id], tip, number_of_slots);
+    };
+    const std::vector<Tip_border> borders = find_borders(id, wanted, measure);
     if (!borders.empty())
     {
       need_segment();
@@ -207,7 +234,6 @@ private:
   {
     const Stage_scope stage(m_observer, Stage::TIPS);
     const Extracted_segment& extracted = segment.extracted;
-    Plane_section section(segment.surface);
     select_protrusion_tips(
       segment.surface, *segment.distances, wanted,
       // where the segment was cut off there is no tip of a protrusion, however far it may be
@@ -218,19 +244,34 @@ private:
           m_observer.tip_eliminated(extracted.faces[face]);
         else
           m_observer.tip_selected(extracted.faces[face]);
-        add_record(segment, face, distances, section);
-        segment.keep(distances);
+        add_record(segment, face, distances, m_conditions);
       });
   }
 
-  void add_record(const Segment_surface& segment,
+  // The border is looked for when all tips are known: the diameters beyond the nearest one do not matter. If the distances
+  // cannot be kept until then, what may matter is measured at once, by the tips that are known.
+  void add_record(Segment_surface& segment,
                   Index face,
                   const std::vector<double>& distances,
-                  Plane_section& section)
+                  const Border_conditions& conditions)
   {
+    m_execution.check();
+    Tip_records& records = m_records[segment.id];
+    add_tip_record(face, !segment.extracted.is_on_cut[face], distances, records);
+    if (segment.keep(distances))
+      return;
     const Stage_scope stage(m_observer, Stage::BORDERS);
-    add_tip_record(segment.surface, face, !segment.extracted.is_on_cut[face], distances, section,
-                   m_execution, m_records[segment.id]);
+    const std::size_t number = Border_range(records, records.size() - 1, conditions).slots_that_matter();
+    measure_diameters(segment.surface, distances, number, segment.section(), m_execution, records.back());
+  }
+
+  void measure_first_slots(Segment_surface& segment, Tip_records& records, std::size_t tip, std::size_t number) const
+  {
+    constexpr double no_bound = std::numeric_limits<double>::infinity();
+    Tip_record& record = records[tip];
+    if (record.number_of_diameters < number)
+      measure_diameters(segment.surface, segment.from(tip, record.tip, no_bound), number, segment.section(), m_execution,
+                        record);
   }
 
   // The records of tips that were not selected here, faces of the whole surface, and of further ones where there are
@@ -238,7 +279,6 @@ private:
   void record_given_tips(Segment_surface& segment, const std::vector<Index>& tips)
   {
     const Stage_scope stage(m_observer, Stage::TIPS);
-    Plane_section section(segment.surface);
     std::vector<double> to_nearest_tip(segment.surface.number_of_faces(),
                                        (std::numeric_limits<double>::max)());
     std::vector<double> distances;
@@ -250,41 +290,54 @@ private:
       const Index face = i < tips.size() ? segment.number_of_face(tips[i])
                                          : static_cast<Index>(farthest - to_nearest_tip.begin());
       (*segment.distances)(face, distances);
-      add_record(segment, face, distances, section);
+      add_record(segment, face, distances, conditions_for_given_tips());
       for (std::size_t f = 0; f < distances.size(); ++f)
         to_nearest_tip[f] = (std::min)(to_nearest_tip[f], distances[f]);
     }
   }
 
-  // Step 3: the tips that have a border, at most `wanted`.
-  std::vector<Tip_border> find_borders(Index id, std::size_t wanted)
+  // Step 3: the tips that have a border, at most `wanted`. `measure(tip, number of slots)` sees to it that the diameters of
+  // these slots are known.
+  template <typename Measure>
+  std::vector<Tip_border> find_borders(Index id, std::size_t wanted, Measure measure)
   {
     const Stage_scope stage(m_observer, Stage::BORDERS);
     std::vector<Tip_border> borders;
     for (std::size_t i = 0; i < m_records[id].size() && borders.size() < wanted; ++i)
+    {
+      measure(i, Border_range(m_records[id], i, m_conditions).slots_that_matter());
       if (const std::optional<Inflection> border = border_of_tip(m_records[id], i, m_conditions))
         borders.push_back({i, *border});
+    }
     return borders;
   }
 
   // Who picks a tip wants its protrusion: the conditions are relaxed for each tip until it has one, but no protrusion
   // takes more than half of the segment.
-  std::vector<Tip_border> find_borders_of_given_tips(Index id, std::size_t number_of_tips)
+  std::vector<Tip_border> find_borders_of_given_tips(Segment_surface& segment, std::size_t number_of_tips)
   {
     const Stage_scope stage(m_observer, Stage::BORDERS);
+    Tip_records& records = m_records[segment.id];
     std::vector<Tip_border> borders;
     for (std::size_t i = 0; i < number_of_tips; ++i)
     {
-      Border_conditions conditions = m_conditions;
-      conditions.accepts_implausible_tips = true;
-      conditions.largest_share = 0.5;
+      Border_conditions conditions = conditions_for_given_tips();
+      measure_first_slots(segment, records, i, Border_range(records, i, conditions).slots_that_matter());
       std::optional<Inflection> border;
       for (; !border && conditions.minimum_prominence > least_prominence; conditions.minimum_prominence /= 2)
-        border = border_of_tip(m_records[id], i, conditions);
+        border = border_of_tip(records, i, conditions);
       if (border)
         borders.push_back({i, *border});
     }
     return borders;
+  }
+
+  Border_conditions conditions_for_given_tips() const
+  {
+    Border_conditions conditions = m_conditions;
+    conditions.accepts_implausible_tips = true;
+    conditions.largest_share = 0.5;
+    return conditions;
   }
 
   // Step 4. A tip that lies in the protrusion of another one, or whose protrusion would be all that is left,
@@ -293,24 +346,22 @@ private:
   {
     const Stage_scope stage(m_observer, Stage::LABELS);
     const Indexed_surface& surface = segment.surface;
-    const Tip_records records = std::exchange(m_records[segment.id], {});
+    Tip_records records = std::exchange(m_records[segment.id], {});
     std::vector<Index> labels(surface.number_of_faces(), segment.id);
-    std::vector<double> distances;
     for (const Tip_border& tip_border : borders)
     {
       const Tip_record& record = records[tip_border.first];
       if (labels[record.tip] != segment.id)
         continue;
       const double border_distance = record.histogram.slot_begin(tip_border.second.slot);
-      if (tip_border.first < segment.from_tips.size())
-        distances = std::move(segment.from_tips[tip_border.first]);
-      else
-        (*segment.distances)(record.tip, distances, border_distance);
+      const std::vector<double>& distances = segment.from(tip_border.first, record.tip, border_distance);
       const auto is_near = [&](Index f) { return distances[f] < border_distance; };
       if (!leaves_a_face(labels, segment.id, is_near))
         continue;
       const Index id = static_cast<Index>(m_segments.number_of_segments());
       const double area = cut_off_protrusion(surface, labels, record.tip, is_near, id);
+      if (m_observer.looks_at_protrusions())
+        measure_first_slots(segment, records, tip_border.first, number_of_slots);
       m_segments.cut_off(segment.id, [&](Index f) { return labels[segment.number_of_face(f)] == id; });
       report(segment, record, tip_border.second, id, area, border_length(surface, labels, id));
       m_areas.push_back(m_segments.area(m_surface, id));

@@ -12,9 +12,13 @@
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/plane_section.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/sectional_diameter_histogram.h>
 
+#include <CGAL/assertions.h>
+
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -27,29 +31,37 @@ struct Tip_record
   Indexed_surface::Index tip; // face of the segment
   bool is_plausible;       // else to be used only when no plausible tip has a border
   Distance_histogram histogram;
-  std::array<double, number_of_slots> diameters;
   std::vector<double> to_earlier_tips;
+  std::array<double, number_of_slots> diameters{};
+  std::size_t number_of_diameters = 0; // of the first slots, which were measured; those of the others are 0
 };
 
 // All records of a segment, in the order of selection.
 using Tip_records = std::vector<Tip_record>;
 
-// Section III.D.1 and III.D.2 for one more tip. `distances` are those from the tip.
-inline void add_tip_record(const Indexed_surface& surface,
-                           Indexed_surface::Index tip,
+// Section III.D.1 for one more tip. `distances` are those from the tip.
+inline void add_tip_record(Indexed_surface::Index tip,
                            bool is_plausible,
                            const std::vector<double>& distances,
-                           Plane_section& section,
-                           Execution& execution,
                            Tip_records& records)
 {
-  const Slots slots(distances);
   std::vector<double> to_earlier_tips;
   for (const Tip_record& record : records)
     to_earlier_tips.push_back(distances[record.tip]);
-  records.push_back({tip, is_plausible, slots.histogram(),
-                     sectional_diameter_histogram(surface, distances, slots, section, execution),
-                     std::move(to_earlier_tips)});
+  records.push_back({tip, is_plausible, Distance_histogram(distances), std::move(to_earlier_tips)});
+}
+
+// Section III.D.2 for the first slots of a tip. `distances` are those from the tip.
+inline void measure_diameters(const Indexed_surface& surface,
+                              const std::vector<double>& distances,
+                              std::size_t number,
+                              Plane_section& section,
+                              Execution& execution,
+                              Tip_record& record)
+{
+  const Slots slots(distances, record.histogram, number);
+  record.diameters = sectional_diameter_histogram(surface, distances, slots, section, execution);
+  record.number_of_diameters = number;
 }
 
 // What a border must satisfy.
@@ -73,25 +85,60 @@ inline double distance_to_nearest_tip(const Tip_records& records,
   return nearest;
 }
 
-// Section III.D.3: the most prominent inflection of the diameters that lies in a candidate interval. A
-// border beyond another tip is none: the protrusion would swallow that tip.
+// Where the border of a tip may lie, whatever the diameters are. A border beyond another tip is none: the protrusion would
+// swallow that tip.
+class Border_range
+{
+public:
+  Border_range(const Tip_records& records, std::size_t i, const Border_conditions& conditions)
+    : m_histogram(records[i].histogram),
+      m_largest_share(conditions.largest_share),
+      m_uses_candidate_intervals(conditions.uses_candidate_intervals)
+  {
+    if (!records[i].is_plausible && !conditions.accepts_implausible_tips)
+      return;
+    m_end = distance_to_nearest_tip(records, i, conditions);
+    if (m_uses_candidate_intervals)
+      m_intervals = candidate_intervals(m_histogram);
+  }
+
+  bool contains(std::size_t slot) const
+  {
+    return m_histogram.slot_begin(slot) < m_end && m_histogram.share_before(slot) <= m_largest_share &&
+           (!m_uses_candidate_intervals || internal::contains(m_intervals, slot));
+  }
+
+  // How many of the first slots must be measured to find the border.
+  std::size_t slots_that_matter() const
+  {
+    for (std::size_t slot = number_of_slots; slot-- > Inflection_windows::first_slot;)
+      if (contains(slot))
+        return Inflection_windows::slots_for(slot);
+    return 0;
+  }
+
+private:
+  const Distance_histogram& m_histogram;
+  double m_largest_share;
+  bool m_uses_candidate_intervals;
+  double m_end = -1; // no border
+  std::vector<Slot_interval> m_intervals;
+};
+
+// Section III.D.3: the most prominent inflection of the diameters that lies in a candidate interval. The diameters of the
+// slots that matter must have been measured.
 inline std::optional<Inflection> border_of_tip(const Tip_records& records,
                                                std::size_t i,
                                                const Border_conditions& conditions)
 {
   const Tip_record& record = records[i];
-  if (!record.is_plausible && !conditions.accepts_implausible_tips)
-    return std::nullopt;
-  const double to_nearest_tip = distance_to_nearest_tip(records, i, conditions);
-  const std::vector<Slot_interval> intervals = candidate_intervals(record.histogram);
-  for (const Inflection& inflection : inflection_points(record.diameters))
+  const Border_range range(records, i, conditions);
+  CGAL_assertion(range.slots_that_matter() <= record.number_of_diameters);
+  for (const Inflection& inflection : inflection_points(record.diameters, record.number_of_diameters))
   {
     if (inflection.prominence < conditions.minimum_prominence)
       break;
-    if (record.histogram.share_before(inflection.slot) > conditions.largest_share)
-      continue;
-    if ((!conditions.uses_candidate_intervals || contains(intervals, inflection.slot)) &&
-        record.histogram.slot_begin(inflection.slot) < to_nearest_tip)
+    if (range.contains(inflection.slot))
       return inflection;
   }
   return std::nullopt;

@@ -31,21 +31,37 @@ struct Inflection
 //
 // The paper gives no constants. On half of the development models of the Princeton benchmark a width of 5
 // slots was better than 3 or 8, and a first slot of 12 (Rand index error .197) than 5 (.232) or 8 (.218).
-inline std::vector<Inflection> inflection_points(const std::array<double, number_of_slots>& diameters)
+struct Inflection_windows
 {
-  constexpr std::size_t width = 5;
-  constexpr std::size_t first_slot = 12;
-  constexpr std::size_t smoothing_radius = 1; // enough against sections that miss a few faces
-  const std::array<double, number_of_slots> smooth = moving_average(diameters, smoothing_radius);
+  static constexpr std::size_t width = 5;
+  static constexpr std::size_t first_slot = 12;
+  static constexpr std::size_t smoothing_radius = 1; // enough against sections that miss a few faces
+
+  // How many slots must be known to tell whether a window that begins at a slot is one: the last window that it is compared
+  // with begins `width` - 1 slots later.
+  static std::size_t slots_for(std::size_t slot)
+  {
+    return (std::min)(slot + (width - 1) + width + smoothing_radius + 1, number_of_slots);
+  }
+};
+
+// If only the diameters of the first slots are known, these are the ones that they suffice for.
+inline std::vector<Inflection> inflection_points(const std::array<double, number_of_slots>& diameters,
+                                                 std::size_t number_of_diameters = number_of_slots)
+{
+  constexpr std::size_t width = Inflection_windows::width, first_slot = Inflection_windows::first_slot;
+  const std::array<double, number_of_slots> smooth = moving_average(diameters, Inflection_windows::smoothing_radius);
   const auto growth_over = [&smooth](std::size_t slot, std::size_t slots)
   { return smooth[slot] > 0 ? std::log(smooth[slot + slots] / smooth[slot]) : 0.; };
 
   std::array<double, number_of_slots> growth{};
-  for (std::size_t s = first_slot; s + width < number_of_slots; ++s)
+  for (std::size_t s = first_slot; s + width < (std::min)(number_of_diameters, number_of_slots); ++s)
     growth[s] = growth_over(s, width);
   std::vector<Inflection> result;
   for (std::size_t s = first_slot; s + width < number_of_slots; ++s)
   {
+    if (Inflection_windows::slots_for(s) > number_of_diameters)
+      break;
     const auto window = growth.begin() + static_cast<std::ptrdiff_t>(s);
     const auto before = growth.begin() + static_cast<std::ptrdiff_t>(s < width ? 0 : s - width + 1);
     const auto after = window + static_cast<std::ptrdiff_t>((std::min)(width, number_of_slots - s));

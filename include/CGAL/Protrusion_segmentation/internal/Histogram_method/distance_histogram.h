@@ -32,10 +32,12 @@ struct Distance_histogram
   std::array<Indexed_surface::Index, number_of_slots> counts{};
 
   Distance_histogram() = default;
-  // with all counts still 0
   explicit Distance_histogram(const std::vector<double>& distances)
     : range(*std::max_element(distances.begin(), distances.end()))
-  {}
+  {
+    for (double d : distances)
+      ++counts[slot(d)];
+  }
 
   std::size_t slot(double distance) const
   {
@@ -55,33 +57,33 @@ struct Distance_histogram
   double slot_begin(std::size_t slot) const { return range * static_cast<double>(slot) / number_of_slots; }
 };
 
-// The faces of each slot.
+// The faces of each of the first slots.
 class Slots
 {
 public:
   using Index = Indexed_surface::Index;
 
-  explicit Slots(const std::vector<double>& distances)
-    : m_histogram(distances), m_faces(slots_of(distances), number_of_slots)
-  {
-    for (std::size_t s = 0; s < number_of_slots; ++s)
-      m_histogram.counts[s] = m_faces.size(s);
-  }
+  explicit Slots(const std::vector<double>& distances) : Slots(distances, Distance_histogram(distances), number_of_slots) {}
+  Slots(const std::vector<double>& distances, const Distance_histogram& histogram, std::size_t number)
+    : m_faces(slots_of(distances, histogram, number), number + 1)
+  {}
 
-  const Distance_histogram& histogram() const { return m_histogram; }
+  std::size_t number() const { return m_faces.number_of_groups() - 1; }
   boost::iterator_range<const Index*> faces(std::size_t slot) const { return m_faces[slot]; }
 
 private:
-  std::vector<Index> slots_of(const std::vector<double>& distances) const
+  // All that lies in a slot beyond `number` is in one group.
+  static std::vector<Index> slots_of(const std::vector<double>& distances,
+                                     const Distance_histogram& histogram,
+                                     std::size_t number)
   {
     std::vector<Index> slots;
     slots.reserve(distances.size());
     for (double d : distances)
-      slots.push_back(static_cast<Index>(m_histogram.slot(d)));
+      slots.push_back(static_cast<Index>((std::min)(histogram.slot(d), number)));
     return slots;
   }
 
-  Distance_histogram m_histogram;
   Index_groups m_faces;
 };
 

@@ -77,7 +77,7 @@ inline double diameter_of_slot(const Section_plane& plane,
 
 // The sectional-diameter histogram of Section III.D.2: for each slot of the distance histogram the diameter
 // of the surface's section there, in the unit of `surface`. A slot without a section takes the diameter of the
-// slot before it.
+// slot before it. Slots that are not in `slots` get 0.
 inline std::array<double, number_of_slots> sectional_diameter_histogram(
   const Indexed_surface& surface,
   const std::vector<double>& distances,
@@ -87,7 +87,7 @@ inline std::array<double, number_of_slots> sectional_diameter_histogram(
 {
   std::array<double, number_of_slots> diameters{};
   for_each_index(
-    number_of_slots, execution.is_parallel(), section,
+    slots.number(), execution.is_parallel(), section,
     [&](Plane_section& section_of_thread, std::size_t s)
     {
       execution.check();
@@ -96,7 +96,7 @@ inline std::array<double, number_of_slots> sectional_diameter_histogram(
                                         section_of_thread);
     },
     [](const Plane_section&) {});
-  for (std::size_t s = 1; s < number_of_slots; ++s)
+  for (std::size_t s = 1; s < slots.number(); ++s)
     if (diameters[s] == 0)
       diameters[s] = diameters[s - 1];
   return diameters;

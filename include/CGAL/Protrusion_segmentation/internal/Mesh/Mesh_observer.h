@@ -15,6 +15,7 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <typeinfo>
 #include <vector>
 
 namespace CGAL {
@@ -66,8 +67,13 @@ public:
     }
   }
 
+  // A visitor of a derived type may.
+  bool looks_at_protrusions() const override { return typeid(m_visitor) != typeid(Segmentation_visitor<FaceGraph>); }
+
   void protrusion_found(const Protrusion<Index>& found) override
   {
+    if (!looks_at_protrusions())
+      return;
     const double unit = m_surface->unit();
     Protrusion<face_descriptor> protrusion;
     protrusion.segment = found.segment;
