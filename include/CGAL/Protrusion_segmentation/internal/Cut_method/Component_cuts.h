@@ -19,7 +19,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/straighten_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/Execution/Thread_workspaces.h>
 #include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
 
 #include <algorithm>
@@ -73,7 +72,7 @@ public:
       m_execution(execution),
       m_policy(policy),
       m_graphs(surface, policy, execution),
-      m_pool(m_graphs.coarse.graph),
+      m_pool(m_graphs.coarse.graph, policy.least_overlap_of_copies()),
       m_pool_search(m_pool, surface, m_graphs.coarse, distance, policy, execution)
   {
     Nodes all(m_graphs.coarse.graph.number_of_nodes());
@@ -127,15 +126,7 @@ public:
   // regions around which there was none by the former weights stay left out.
   void value_anew()
   {
-    for (Index s = 0; s < m_pool.number_of_segments(); ++s)
-    {
-      if (!m_pool[s].is_searched)
-        continue;
-      std::vector<Cut> cuts = m_pool[s].cuts;
-      for (Cut& cut : cuts)
-        value_by_clues(m_policy, cut);
-      m_pool.set_cuts(s, std::move(cuts));
-    }
+    m_pool.begin_again([this](Cut& cut) { value_by_clues(m_policy, cut); });
     m_best.resize(1);
     m_beam = m_best;
   }
@@ -173,9 +164,9 @@ private:
   {
     const double least = m_best.back().value + least_gain;
     std::vector<Cut_set> next = best_next_sets();
-    for (auto segments = segments_to_search(next, least); !segments.empty(); segments = segments_to_search(next, least))
+    while (const std::optional<Index> segment = segment_to_search(next, least))
     {
-      m_pool_search(segments);
+      m_pool_search(*segment);
       next = best_next_sets();
     }
     if (next.empty() || next.front().value <= least)
@@ -200,7 +191,7 @@ private:
     {
       const Index segment = choices[i].segment;
       Cut_set set = choices[i].set->with(made_cut(segment, choices[i].cut));
-      const auto is_same = [&](const Cut_set& other) { return m_pool.are_same(other.segments, set.segments); };
+      const auto is_same = [&](const Cut_set& other) { return other.segments == set.segments; };
       if (std::none_of(sets.begin(), sets.end(), is_same))
         sets.push_back(std::move(set));
     }
@@ -219,35 +210,30 @@ private:
     return result;
   }
 
-  // Of the segments of the beam that have not been searched yet those whose cuts might change which sets of at least some
-  // value are the best next ones: the most promising ones, one for each thread. A cut is worth half the area of its
-  // segment at most, so that many small segments are never searched, with the same result as if all were.
-  std::vector<Index> segments_to_search(const std::vector<Cut_set>& next, double least) const
+  // Of the segments of the beam that have not been searched yet, if the cuts of any might change which sets of at least some
+  // value are the best next ones, the most promising one. Many small segments are never searched. One comes after the other,
+  // whatever the number of threads, since segments take over the cuts of those before.
+  std::optional<Index> segment_to_search(const std::vector<Cut_set>& next, double least) const
   {
     if (next.size() == m_policy.number_of_sets())
       least = (std::max)(least, next.back().value);
-    std::vector<std::pair<double, Index>> promises;
+    std::optional<Index> result;
+    double largest_promise = -infinity;
     for (const Cut_set& set : m_beam)
     {
       const std::vector<Choice> choices = best_choices(set);
       const double least_of_set = choices.size() < cuts_of_set ? least : (std::max)(least, choices.back().value);
       for (Index s : set.segments)
       {
-        const double promise = set.value + m_pool[s].area / 2;
-        if (!m_pool[s].is_searched && promise >= least_of_set)
-          promises.emplace_back(-promise, s);
+        const double promise = set.value + m_policy.largest_relative_value() * m_pool[s].area;
+        if (m_pool[s].is_searched || promise < least_of_set)
+          continue;
+        if (promise > largest_promise || (promise == largest_promise && s < *result))
+        {
+          largest_promise = promise;
+          result = s;
+        }
       }
-    }
-    std::sort(promises.begin(), promises.end());
-    std::vector<Index> result;
-    for (const auto& [promise, s] : promises)
-    {
-      if (result.size() == number_of_threads(m_execution.is_parallel()))
-        break;
-      const Index source = m_pool[s].source;
-      const Index first = m_pool[source].is_searched ? s : source; // what it takes over its cuts from comes first
-      if (std::find(result.begin(), result.end(), first) == result.end())
-        result.push_back(first);
     }
     return result;
   }

@@ -63,6 +63,25 @@ public:
     return number_of_sets;
   }
 
+  // The share of the area of both that two segments have in common if the one that is searched later takes over the cuts of the
+  // other one. On the development models of the Princeton benchmark, in the mean over three orders of the disks, the Rand index
+  // error is .0876 and .0902 (with and without a number of segments) if only segments that are cut off from such a one do so,
+  // with .9 it is .0890 and .0901, with .85 .0885 and .0914 in four fifths of the time, with .8 .0892 and .0916. With another
+  // set of meshes errors do not change. With 1 every segment is searched.
+  virtual double least_overlap_of_copies() const
+  {
+    constexpr double least_overlap_of_copies = 0.85;
+    return least_overlap_of_copies;
+  }
+
+  // What a cut is taken to be worth at most, relative to the area of its segment, before this is searched. None is worth more
+  // than half, but hardly one as much as this. With .5, errors are the same within .0002, and a fifteenth more time is needed.
+  virtual double largest_relative_value() const
+  {
+    constexpr double largest_relative_value = 0.4;
+    return largest_relative_value;
+  }
+
   // Whether a border becomes a minimum cut once more when it gets to the faces.
   virtual bool moves_borders_on_faces() const { return true; }
 

@@ -52,31 +52,35 @@ public:
     return result;
   }
 
-  // Gives different segments their cuts: each those of its source, if that is another segment, which has been searched, and has
-  // any that divide it.
-  void operator()(const std::vector<Index>& segments)
+  // Gives a segment its cuts: those of a segment that has been searched, if there is one like it and any of them divide this
+  // one; else those that are found.
+  void operator()(Index segment)
   {
-    std::vector<std::vector<Cut>> cuts(segments.size());
-    m_searches.for_each_index(segments.size(), m_execution.is_parallel() && !m_has_distance,
-                              [&](Segment_search& search, std::size_t i) { cuts[i] = found(search, segments[i]); });
-    for (std::size_t i = 0; i < segments.size(); ++i)
-      m_pool.set_cuts(segments[i], std::move(cuts[i]));
+    if (m_pool.find_source(segment) != segment)
+    {
+      std::vector<Cut> cuts = taken_over(segment);
+      if (!cuts.empty())
+        return m_pool.take_over(segment, std::move(cuts));
+    }
+    m_pool.set_own_cuts(segment, m_pool[segment].own_cuts ? *m_pool[segment].own_cuts : found(segment));
   }
 
 private:
   const Nodes& nodes(Index segment) const { return m_pool[segment].nodes; }
 
-  std::vector<Cut> found(Segment_search& search, Index segment)
+  std::vector<Cut> taken_over(Index segment)
   {
-    if (m_pool[segment].source != segment)
-    {
-      std::vector<Cut> cuts =
-        search.cuts_without_search(segment, nodes(segment), m_pool.sides_to_take_over(segment));
-      if (!cuts.empty())
-        return cuts;
-    }
+    const std::vector<Nodes> sides = m_pool.sides_to_take_over(segment);
+    std::vector<std::optional<Cut>> cuts(sides.size());
+    m_searches.for_each_index(sides.size(), m_execution.is_parallel(), [&](Segment_search& of_thread, std::size_t i)
+                              { cuts[i] = of_thread.cut_without_search(segment, nodes(segment), sides[i]); });
+    return Cut_search::different(std::move(cuts));
+  }
+
+  std::vector<Cut> found(Index segment)
+  {
     const Cut_search::Candidate_sources sources = find_sources(segment);
-    const std::vector<Cut_search::Candidate> candidates = search.candidates(segment, nodes(segment), sources);
+    const std::vector<Cut_search::Candidate> candidates = of_segment().candidates(segment, nodes(segment), sources);
     std::vector<std::optional<Cut>> cuts(candidates.size());
     m_searches.for_each_index(candidates.size(), m_execution.is_parallel(),
                               [&](Segment_search& of_thread, std::size_t i)

@@ -15,6 +15,7 @@
 #include <deque>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,9 +27,8 @@ namespace internal {
 // again is the same segment, whose cuts are not searched again.
 //
 // Many a segment is nearly one that has been searched: a body without one of its arms, or without the same arm cut off a
-// little higher. It takes over the cuts of that one, its source, as far as they divide it. What the source of a segment is
-// depends on the cuts that make the segment, and not on what else has been searched, which is another matter with several
-// threads. So the same nodes with another source are another segment.
+// little higher, or the same two arms in another order. It takes over the cuts of that one, its source, as far as they
+// divide it.
 class Segment_pool
 {
 public:
@@ -39,35 +39,71 @@ public:
   {
     Nodes nodes; // ascending
     double area;
-    Index source; // itself if it is searched on its own
-    Index extent; // equal for equal nodes
+    Index source;               // itself if it is searched on its own
     std::vector<Cut> cuts = {}; // best first
-    std::vector<std::size_t> originals = {}; // of each cut the best one that it nearly repeats; itself if there is none
     bool is_searched = false;
+    std::optional<std::vector<Cut>> own_cuts = std::nullopt; // that were found in it, also before `begin_again()`
   };
 
-  // The graph must outlive the object.
-  explicit Segment_pool(const Weighted_dual_graph& graph) : m_graph(graph) {}
+  // The graph must outlive the object. `least_overlap`: the share of the area of both, their intersection over their union,
+  // that two segments must have in common for one to be the source of the other.
+  Segment_pool(const Weighted_dual_graph& graph, double least_overlap) : m_graph(graph), m_least_overlap(least_overlap) {}
 
   Index number_of_segments() const { return static_cast<Index>(m_segments.size()); }
   const Segment& operator[](Index id) const { return m_segments[id]; }
 
-  // The segment with the given nodes, in ascending order, that is searched on its own.
-  Index find_or_add(Nodes nodes) { return find_or_add(std::move(nodes), itself); }
-
-  // Whether two lists of different segments are the same sets of nodes.
-  bool are_same(const std::vector<Index>& segments, const std::vector<Index>& others) const
+  // The segment with the given nodes, in ascending order.
+  Index find_or_add(Nodes nodes)
   {
-    return extents(segments) == extents(others);
+    const auto [found, is_new] = m_ids.emplace(std::move(nodes), number_of_segments());
+    if (is_new)
+      m_segments.push_back({found->first, m_graph.area_of(found->first), found->second});
+    return found->second;
   }
 
-  // Gives a segment its cuts, in any order.
-  void set_cuts(Index id, std::vector<Cut> cuts)
+  // Of the segments that have been searched on their own the one that is most like a segment, if it is like it; else the
+  // segment itself. The first of equals.
+  Index find_source(Index id)
+  {
+    Index source = id;
+    double largest = m_least_overlap;
+    for (Index other : m_sources)
+      if (const double overlap = overlap_of(id, other, largest); overlap > largest)
+      {
+        largest = overlap;
+        source = other;
+      }
+    return m_segments[id].source = source;
+  }
+
+  // Gives a segment its cuts, in any order: those of its source, as far as they divide it, or its own.
+  void take_over(Index id, std::vector<Cut> cuts)
   {
     sort_best_first(cuts);
     m_segments[id].cuts = std::move(cuts);
-    m_segments[id].originals = originals(m_segments[id].cuts);
     m_segments[id].is_searched = true;
+  }
+  void set_own_cuts(Index id, std::vector<Cut> cuts)
+  {
+    m_segments[id].source = id;
+    m_sources.push_back(id);
+    take_over(id, std::move(cuts));
+    m_segments[id].own_cuts = m_segments[id].cuts;
+  }
+
+  // Forgets which segments have been searched, but for the cuts that were found. `change(cut)` is called for each of these.
+  template <typename Change>
+  void begin_again(Change change)
+  {
+    m_sources.clear();
+    for (Segment& segment : m_segments)
+    {
+      segment.is_searched = false;
+      segment.cuts.clear();
+      if (segment.own_cuts)
+        for (Cut& cut : *segment.own_cuts)
+          change(cut);
+    }
   }
 
   // The nodes around which the cuts of its source divide a segment.
@@ -77,7 +113,8 @@ public:
     std::vector<Nodes> result;
     for (const Cut& cut : m_segments[m_segments[id].source].cuts)
     {
-      Nodes side = common_nodes(nodes, cut.inner);
+      Nodes side;
+      std::set_intersection(nodes.begin(), nodes.end(), cut.inner.begin(), cut.inner.end(), std::back_inserter(side));
       if (!side.empty() && side.size() < nodes.size())
         result.push_back(std::move(side));
     }
@@ -93,90 +130,40 @@ public:
     return result;
   }
 
-  // The segments on the inner and on the outer side of one of the cuts of a segment. One that is most of the segment has
-  // the source of that; else, if the cut nearly repeats another one, that of the side of this one.
+  // The segments on the inner and on the outer side of one of the cuts of a segment.
   std::pair<Index, Index> sides(Index id, std::size_t cut)
   {
-    std::pair<Index, Index> alike(itself, itself);
-    if (m_segments[id].originals[cut] != cut)
-      alike = sides(id, m_segments[id].originals[cut]);
     const Nodes& inner = m_segments[id].cuts[cut].inner;
-    const Index inner_id = find_or_add_side(id, inner, alike.first);
-    return {inner_id, find_or_add_side(id, other_side(id, inner), alike.second)};
+    const Index inner_id = find_or_add(inner);
+    return {inner_id, find_or_add(other_side(id, inner))};
   }
 
 private:
-  static constexpr Index itself = Indexed_surface::no_face();
-
-  // The share of its source's area that a segment has at least. On the development models of the Princeton benchmark, in
-  // the mean over three orders of the disks, the Rand index error is .087 and .090 (with and without a number of segments)
-  // with .9 and .087 and .091 if all segments are searched on their own, in two thirds of the time; with .85 it is higher
-  // by .001, with .8 by .002.
-  static constexpr double least_share_of_source = 0.9;
-
-  // Of the areas of two sides, their intersection over their union. With .7 or .9 the errors are the same.
-  static constexpr double overlap_of_copies = 0.8;
-
-  Index find_or_add(Nodes nodes, Index source)
+  // Intersection over union; 0 if areas alone show that it is not above `least`.
+  double overlap_of(Index a, Index b, double least) const
   {
-    const Index extent = m_extents.emplace(nodes, static_cast<Index>(m_extents.size())).first->second;
-    const auto [found, is_new] = m_ids.emplace(std::make_pair(extent, source), number_of_segments());
-    if (is_new)
+    const Segment &first = m_segments[a], &second = m_segments[b];
+    if ((std::min)(first.area, second.area) <= least * (std::max)(first.area, second.area))
+      return 0;
+    double common = 0;
+    auto i = first.nodes.begin();
+    auto j = second.nodes.begin();
+    while (i != first.nodes.end() && j != second.nodes.end())
     {
-      const double area = m_graph.area_of(nodes);
-      m_segments.push_back({std::move(nodes), area, source == itself ? found->second : source, extent});
+      if (*i == *j)
+        common += m_graph.area[*i];
+      const bool advances_first = *i <= *j, advances_second = *j <= *i;
+      i += advances_first;
+      j += advances_second;
     }
-    return found->second;
-  }
-
-  // `alike`: the side of another cut that this one is nearly equal to, or `itself`
-  Index find_or_add_side(Index id, Nodes side, Index alike)
-  {
-    const Index source = m_segments[id].source;
-    if (m_graph.area_of(side) > least_share_of_source * m_segments[source].area)
-      return find_or_add(std::move(side), source);
-    return find_or_add(std::move(side), alike == itself ? itself : m_segments[alike].source);
-  }
-
-  std::vector<Index> extents(const std::vector<Index>& segments) const
-  {
-    std::vector<Index> result;
-    for (Index s : segments)
-      result.push_back(m_segments[s].extent);
-    std::sort(result.begin(), result.end());
-    return result;
-  }
-
-  std::vector<std::size_t> originals(const std::vector<Cut>& cuts) const
-  {
-    std::vector<std::size_t> result;
-    for (std::size_t c = 0; c < cuts.size(); ++c)
-    {
-      result.push_back(c);
-      for (std::size_t other = 0; other < c && result[c] == c; ++other)
-        if (result[other] == other && are_nearly_equal(cuts[c].inner, cuts[other].inner))
-          result[c] = other;
-    }
-    return result;
-  }
-
-  bool are_nearly_equal(const Nodes& a, const Nodes& b) const
-  {
-    const double common = m_graph.area_of(common_nodes(a, b));
-    return common > overlap_of_copies * (m_graph.area_of(a) + m_graph.area_of(b) - common);
-  }
-
-  static Nodes common_nodes(const Nodes& a, const Nodes& b)
-  {
-    Nodes result;
-    std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(result));
-    return result;
+    return common / (first.area + second.area - common);
   }
 
   const Weighted_dual_graph& m_graph;
+  double m_least_overlap;
   std::deque<Segment> m_segments; // where they are, while others are added
-  std::map<Nodes, Index> m_extents;
-  std::map<std::pair<Index, Index>, Index> m_ids; // by extent and source
+  std::map<Nodes, Index> m_ids;
+  std::vector<Index> m_sources; // that have been searched on their own, in that order
 };
 
 } // namespace internal

@@ -99,15 +99,12 @@ public:
     return m_search.cut_around(s, nodes, candidate);
   }
 
-  // The cuts around some sets of its nodes as they are.
-  std::vector<Cut> cuts_without_search(Index s, const Nodes& nodes, const std::vector<Nodes>& sides)
+  // The cut around some of its nodes as they are, if there is any.
+  std::optional<Cut> cut_without_search(Index s, const Nodes& nodes, const Nodes& side)
   {
     const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
     select(s, nodes);
-    std::vector<std::optional<Cut>> cuts;
-    for (const Nodes& side : sides)
-      cuts.push_back(m_search.cut_without_search(s, nodes, side));
-    return Cut_search::different(std::move(cuts));
+    return m_search.cut_without_search(s, nodes, side);
   }
 
   // The cuts around those level sets and regions for which `accept(nodes)` holds, level sets around `tip` among them, best
