@@ -362,12 +362,22 @@ private:
       const double area = cut_off_protrusion(surface, labels, record.tip, is_near, id);
       if (m_observer.looks_at_protrusions())
         measure_first_slots(segment, records, tip_border.first, number_of_slots);
-      m_segments.cut_off(segment.id, [&](Index f) { return labels[segment.number_of_face(f)] == id; });
+      m_segments.cut_off(segment.id, faces_with(labels, id, segment.extracted.faces));
       report(segment, record, tip_border.second, id, area, border_length(surface, labels, id));
       m_areas.push_back(m_segments.area(m_surface, id));
     }
     m_areas[segment.id] = m_segments.area(m_surface, segment.id);
     m_records.resize(m_segments.number_of_segments());
+  }
+
+  // Of the whole surface, for the labels of the faces of a segment.
+  static Nested_segments::Faces faces_with(const std::vector<Index>& labels, Index id, const Nested_segments::Faces& faces)
+  {
+    Nested_segments::Faces result;
+    for (Index f = 0; f < labels.size(); ++f)
+      if (labels[f] == id)
+        result.push_back(faces[f]);
+    return result;
   }
 
   // Whether a face of the segment is not near: the border may lie beyond all that earlier protrusions left.

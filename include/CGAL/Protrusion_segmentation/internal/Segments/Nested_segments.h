@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -72,22 +73,20 @@ public:
     return sum;
   }
 
-  // Makes the faces of a segment, a protrusion of it, for which `is_inner(face)` holds, some but not all, a segment of their own;
-  // returns its id.
-  template <typename IsInner>
-  Index cut_off(Index segment, IsInner is_inner)
+  // Makes some faces of a segment, ascending, but not all, a protrusion of it, a segment of their own; returns its id.
+  Index cut_off(Index segment, Faces protrusion)
   {
     const Index id = static_cast<Index>(m_parents.size());
     Faces& faces = m_faces[segment];
-    const auto inner_begin = std::stable_partition(faces.begin(), faces.end(),
-                                                   [&](Index f) { return !is_inner(f); });
-    CGAL_precondition(inner_begin != faces.begin() && inner_begin != faces.end());
-    Faces inner(inner_begin, faces.end());
-    faces.erase(inner_begin, faces.end());
-    for (Index f : inner)
+    Faces rest;
+    rest.reserve(faces.size());
+    std::set_difference(faces.begin(), faces.end(), protrusion.begin(), protrusion.end(), std::back_inserter(rest));
+    CGAL_precondition(!protrusion.empty() && !rest.empty() && rest.size() + protrusion.size() == faces.size());
+    faces = std::move(rest);
+    for (Index f : protrusion)
       m_labels[f] = id;
     m_parents.push_back(segment);
-    m_faces.push_back(std::move(inner));
+    m_faces.push_back(std::move(protrusion));
     return id;
   }
 
