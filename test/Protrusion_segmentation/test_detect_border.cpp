@@ -5,9 +5,11 @@
 // Borders (Section III.D.3) in sequences of diameters made up for the purpose.
 
 #include "check.h"
+#include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/Tip_record.h>
 
+using test_meshes::Random;
 using namespace CGAL::Protrusion_segmentation::internal;
 
 using Diameters = std::array<double, number_of_slots>;
@@ -101,7 +103,7 @@ void intervals_contain_their_ends()
 // A tip whose slots hold 10 faces up to `slot_of_change` and 30 from there on.
 Tip_record tip_record(const Diameters& diameters_of_tip, std::size_t slot_of_change)
 {
-  Tip_record record = {0, true, {}, diameters_of_tip, {}};
+  Tip_record record = {0, true, {}, {}, diameters_of_tip, number_of_slots};
   record.histogram.range = 100;
   for (std::size_t slot = 0; slot < number_of_slots; ++slot)
     record.histogram.counts[slot] = slot < slot_of_change ? 10 : 30;
@@ -148,8 +150,86 @@ void a_border_does_not_lie_beyond_another_tip()
   CHECK(!border_of_tip(records, 0, {0.3, true, true}).has_value());
 }
 
+// Diameters that grow and shrink by chance.
+Diameters random_diameters(Random& random)
+{
+  double diameter = 1;
+  return diameters([&](std::size_t) { return diameter *= random.real(0.7, 1.5); });
+}
+
+Diameters first_of(const Diameters& all, std::size_t number)
+{
+  Diameters result{};
+  std::copy(all.begin(), all.begin() + std::ptrdiff_t(number), result.begin());
+  return result;
+}
+
+// Of the inflection points those that the first diameters decide on.
+void a_window_needs_the_slots_that_it_says(std::uint_fast32_t seed)
+{
+  Random random(seed);
+  const Diameters all = random_diameters(random);
+  const std::vector<Inflection> expected = inflection_points(all);
+  for (std::size_t number = 0; number <= number_of_slots; ++number)
+  {
+    const std::vector<Inflection> found = inflection_points(first_of(all, number), number);
+    std::size_t i = 0;
+    for (const Inflection& inflection : expected)
+    {
+      // it may lie as many slots behind the begin of its window as this is wide
+      const bool is_known = Inflection_windows::slots_for(inflection.slot) <= number;
+      if (i < found.size() && found[i].slot == inflection.slot && found[i].prominence == inflection.prominence)
+        ++i;
+      else
+        CHECK(!is_known);
+    }
+    CHECK_EQUAL(i, found.size());
+  }
+}
+
+// The diameters of the slots that matter give the border that all of them give, whatever they are compared with.
+void the_slots_that_matter_decide(std::uint_fast32_t seed)
+{
+  Random random(seed);
+  Tip_records all;
+  for (std::size_t tip = 0; tip < 4; ++tip)
+  {
+    Tip_record record = tip_record(random_diameters(random), random.index(number_of_slots));
+    for (std::size_t earlier = 0; earlier < tip; ++earlier)
+      record.to_earlier_tips.push_back(random.real(5, 110));
+    record.is_plausible = random.index(3) > 0;
+    all.push_back(record);
+  }
+  std::size_t left_out = 0;
+  for (const bool uses_candidate_intervals : {true, false})
+    for (const bool accepts_implausible_tips : {true, false})
+      for (const double largest_share : {1., 0.5})
+        for (std::size_t tip = 0; tip < all.size(); ++tip)
+        {
+          const Border_conditions conditions = {0.1, uses_candidate_intervals, accepts_implausible_tips, largest_share};
+          const std::size_t number = Border_range(all, tip, conditions).slots_that_matter();
+          Tip_records first = all;
+          first[tip].diameters = first_of(all[tip].diameters, number);
+          first[tip].number_of_diameters = number;
+          left_out += number_of_slots - number;
+          const auto found = border_of_tip(first, tip, conditions), expected = border_of_tip(all, tip, conditions);
+          CHECK_EQUAL(found.has_value(), expected.has_value());
+          if (found && expected)
+          {
+            CHECK_EQUAL(found->slot, expected->slot);
+            CHECK_EQUAL(found->prominence, expected->prominence);
+          }
+        }
+  CHECK(left_out > 0);
+}
+
 int main()
 {
+  for (std::uint_fast32_t seed = 0; seed < 50; ++seed)
+  {
+    a_window_needs_the_slots_that_it_says(seed);
+    the_slots_that_matter_decide(seed);
+  }
   a_step_is_one_inflection_at_its_foot();
   the_most_prominent_inflection_comes_first();
   prominence_does_not_depend_on_the_size();

@@ -34,7 +34,11 @@ void slots_hold_the_faces_at_their_distances()
     Shortest_distances shortest(surface);
     shortest(Index(seed % 40), distances);
     const Slots slots(distances);
-    const Distance_histogram& histogram = slots.histogram();
+    const Distance_histogram histogram(distances);
+    const std::size_t few = seed % 20;
+    const Slots first_slots(distances, histogram, few);
+    CHECK_EQUAL(slots.number(), number_of_slots);
+    CHECK_EQUAL(first_slots.number(), few);
     CHECK_EQUAL(histogram.range, *std::max_element(distances.begin(), distances.end()));
     CHECK_EQUAL(histogram.slot(0), 0);
     CHECK_EQUAL(histogram.slot(histogram.range), 99);
@@ -45,6 +49,7 @@ void slots_hold_the_faces_at_their_distances()
     {
       CHECK_EQUAL(slots.faces(slot).size(), histogram.counts[slot]);
       CHECK(std::is_sorted(slots.faces(slot).begin(), slots.faces(slot).end()));
+      CHECK(slot >= few || slots.faces(slot) == first_slots.faces(slot));
       for (const Index f : slots.faces(slot))
       {
         CHECK(distances[f] >= histogram.slot_begin(slot) - rounding);
@@ -66,7 +71,7 @@ void counts_on_a_cylinder_are_even()
   std::vector<double> distances;
   Shortest_distances shortest(surface);
   shortest(0, distances);
-  const Distance_histogram histogram = Slots(distances).histogram();
+  const Distance_histogram histogram(distances);
   CHECK_CLOSE(histogram.range, 3.99, 0.01);
   for (const Index count : histogram.counts)
     CHECK_CLOSE(double(count), 4. * slices, 1. * slices);
@@ -74,11 +79,11 @@ void counts_on_a_cylinder_are_even()
 
 void one_distance_fills_one_slot()
 {
-  const Distance_histogram single = Slots(std::vector<double>(7, 0)).histogram();
+  const Distance_histogram single(std::vector<double>(7, 0));
   CHECK_EQUAL(single.range, 0);
   CHECK_EQUAL(single.counts[0], 7);
   CHECK_EQUAL(single.counts[99], 0);
-  const Distance_histogram tiny = Slots({0, 1e-310, 2e-310}).histogram(); // not normal numbers
+  const Distance_histogram tiny({0, 1e-310, 2e-310}); // not normal numbers
   CHECK_EQUAL(tiny.counts[0], 1);
   CHECK_EQUAL(tiny.counts[50], 1);
   CHECK_EQUAL(tiny.counts[99], 1);

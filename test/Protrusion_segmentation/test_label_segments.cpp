@@ -191,8 +191,8 @@ void what_is_cut_off_gets_the_next_number()
 {
   const Indexed_surface surface = to_surface(sheet(5, 1));
   Nested_segments segments(surface);
-  CHECK_EQUAL(segments.cut_off(0, [](Index f) { return f > 1; }), 1);
-  CHECK_EQUAL(segments.cut_off(1, [](Index f) { return f == 2; }), 2);
+  CHECK_EQUAL(segments.cut_off(0, {2, 3, 4}), 1);
+  CHECK_EQUAL(segments.cut_off(1, {2}), 2);
   CHECK(parents_of(segments) == (Labels{0, 0, 1}));
   CHECK(segments.labels() == (Labels{0, 0, 2, 1, 1}));
   CHECK(segments.faces(0) == (Labels{0, 1}));

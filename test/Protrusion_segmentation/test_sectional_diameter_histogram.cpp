@@ -41,7 +41,13 @@ public:
     return plane_of_slot(m_surface, m_distances, m_slots, slot);
   }
 
-  const Distance_histogram& counts() const { return m_slots.histogram(); }
+  Distance_histogram counts() const { return Distance_histogram(m_distances); }
+
+  // The same, if only the first slots are looked at.
+  std::array<double, number_of_slots> first_diameters(std::size_t number) const
+  {
+    return histogram(m_surface, m_distances, Slots(m_distances, counts(), number));
+  }
 
 private:
   static std::vector<double> distances_from_lowest(const Indexed_surface& surface)
@@ -157,8 +163,20 @@ void no_diameter_is_below_zero_or_beyond_the_body()
   }
 }
 
+void first_slots_have_the_diameters_that_they_have_among_all()
+{
+  const Seen_from_below seen(creature(0.2));
+  for (const std::size_t number : {0, 1, 37, 99, 100})
+  {
+    const auto first = seen.first_diameters(number);
+    for (std::size_t slot = 0; slot < number_of_slots; ++slot)
+      CHECK_EQUAL(first[slot], slot < number ? seen.diameter(slot) : 0);
+  }
+}
+
 int main()
 {
+  first_slots_have_the_diameters_that_they_have_among_all();
   diameters_along_a_capsule_are_even();
   diameters_grow_from_the_stick_to_the_ball();
   only_the_component_at_the_slot_counts();

@@ -44,6 +44,10 @@ void a_visitor_is_told_what_is_found()
     CHECK_EQUAL(protrusion.distance_histogram.size(), 100);
     CHECK(std::accumulate(protrusion.distance_histogram.begin(), protrusion.distance_histogram.end(),
                           std::size_t(0)) > soup.faces.size() / 2);
+    // measured to the end, also where no border can lie
+    CHECK_EQUAL(protrusion.sectional_diameter_histogram.size(), 100);
+    for (std::size_t slot = 20; slot < 100; ++slot)
+      CHECK(protrusion.sectional_diameter_histogram[slot] > 0.1 * factor);
     // half way down the arm the diameter is that of the arm
     CHECK_CLOSE(protrusion.sectional_diameter_histogram.at(protrusion.border_slot / 2), 0.3 * factor,
                 0.05 * factor);
