@@ -37,8 +37,8 @@ The side of the tip is the protrusion. From given tips, a border lies no farther
 fewer than six tips are given on a connected component, further ones are selected by eq. (2). They limit the protrusions
 of the given tips and get no segments of their own.
 
-Complexity: for every segment that is searched, the tips' distance computations, and for every tip 100 plane
-sections, each linear in the number of faces that it cuts.
+Complexity: for every segment that is searched, the tips' distance computations, and for every tip up to 100 plane
+sections, each linear in the number of faces that it cuts: those before the nearest other tip.
 */
 class Histogram_method
 {
