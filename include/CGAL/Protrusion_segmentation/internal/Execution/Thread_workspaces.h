@@ -9,30 +9,15 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 #endif
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
-
-// How many threads work at once.
-inline std::size_t number_of_threads(bool parallel)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if (parallel)
-    return (std::min)(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()),
-                      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-#endif
-  static_cast<void>(parallel);
-  return 1;
-}
 
 // A workspace, and a copy of it for every thread, which are kept from one loop to the next.
 template <typename Workspace>
