@@ -11,6 +11,7 @@
 
 #include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
 #include <boost/property_map/property_map.hpp>
+#include <boost/range/adaptor/transformed.hpp>
 #include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
@@ -84,7 +85,6 @@ public:
   }
 
   std::size_t number_of_faces() const { return m_first.size() - 1; }
-  const std::vector<Arc>& all() const { return m_arcs; }
   boost::iterator_range<const Arc*> operator[](Index face) const
   {
     return {m_arcs.data() + m_first[face], m_arcs.data() + m_first[face + 1]};
@@ -150,15 +150,14 @@ public:
   std::size_t number_of_scanned_faces() const { return m_number_of_scanned_faces; }
 
 private:
-  static Bucket_ring<Index> ring_for(const Dual_arcs& arcs)
+  using Ring = Bucket_ring<Index>;
+
+  static Ring ring_for(const Dual_arcs& arcs)
   {
-    double sum = 0, longest = 0;
-    for (const Dual_arcs::Arc& arc : arcs.all())
-    {
-      sum += arc.length();
-      longest = (std::max)(longest, arc.length());
-    }
-    return Bucket_ring<Index>(sum, (std::max)(arcs.all().size(), std::size_t(1)), longest);
+    Arc_lengths lengths;
+    for (Index f = 0; f < arcs.number_of_faces(); ++f)
+      lengths.add_vertex(arcs[f] | boost::adaptors::transformed([](const Dual_arcs::Arc& arc) { return arc.length(); }));
+    return Ring(lengths);
   }
 
   void run_boost(Index source, std::vector<double>& distances)
@@ -176,9 +175,14 @@ private:
     m_tree.parent.resize(distances.size());
     m_tree.order.reserve(distances.size() + distances.size() / 8); // more than the faces scanned again
     distances[source] = 0;
-    m_ring.push(source, 0);
+    m_ring.push_source(source);
     m_ring.scan_all([&](Index face) { return distances[face]; },
-                    [&](Index face) { scan(face, distances, bound); },
+                    [&](Index face, Ring::Offer* end) { return scan(face, distances, bound, end); },
+                    [&](const Ring::Offer& path)
+                    {
+                      distances[path.vertex] = path.distance;
+                      m_tree.parent[path.vertex] = path.before;
+                    },
                     [&](Index face)
                     {
                       prefetch(&distances[face]);
@@ -187,27 +191,23 @@ private:
     m_number_of_scanned_faces += m_tree.order.size();
   }
 
-  // Offers the paths over `face` to its neighbours.
-  void scan(Index face, std::vector<double>& distances, double bound)
+  // Offers the paths over `face` to its neighbours. Every one is written, but stays only if it is shorter.
+  Ring::Offer* scan(Index face, const std::vector<double>& distances, double bound, Ring::Offer* end)
   {
     m_tree.order.push_back(face);
     const double to_face = distances[face];
     for (const Dual_arcs::Arc& arc : (*m_arcs)[face])
     {
       const double distance = to_face + arc.length();
-      const Index neighbor = arc.target();
-      if (distance < distances[neighbor] && distance <= bound)
-      {
-        distances[neighbor] = distance;
-        m_tree.parent[neighbor] = face;
-        m_ring.push(neighbor, distance);
-      }
+      *end = {distance, arc.target(), face};
+      end += (distance < distances[arc.target()]) & (distance <= bound);
     }
+    return end;
   }
 
   std::shared_ptr<const Dual_arcs> m_arcs; // shared by copies, one for each thread
   std::shared_ptr<const Graph> m_graph;    // where Boost's algorithm does the work
-  Bucket_ring<Index> m_ring;
+  Ring m_ring;
   Shortest_path_tree m_tree;
   std::size_t m_number_of_runs = 0;
   std::size_t m_number_of_scanned_faces = 0;
