@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -36,27 +37,27 @@ public:
       m_best(m_number_of_groups)
   {
     for (Index group = 0; group < m_number_of_groups; ++group)
-      m_sizes.push_back(group_begin(group + 1) - group_begin(group));
+      m_sizes.push_back(static_cast<float>(group_begin(group + 1) - group_begin(group)));
   }
 
-  // Takes the distances from one more visited face into account, while there is room.
-  void add(const std::vector<double>& distances)
+  // Takes the distances from one more visited face into account, while there is room; `longest` is the longest of them.
+  void add(const std::vector<double>& distances, double longest)
   {
     if (number_of_sources() == most_sources)
       return;
-    const double longest = *std::max_element(distances.begin(), distances.end());
     m_units.push_back(longest / most_units);
     const double units_per_length = longest > 0 ? most_units / longest : 0;
     m_distances.emplace_back(distances.size());
-    for (std::size_t f = 0; f < distances.size(); ++f)
-      m_distances.back()[f] = static_cast<Rounded>(distances[f] * units_per_length + 1);
     m_sums.emplace_back();
     for (Index group = 0; group < m_number_of_groups; ++group)
     {
       double sum = 0;
       for (Index f = group_begin(group); f < group_begin(group + 1); ++f)
+      {
         sum += distances[f];
-      m_sums.back().push_back(sum);
+        m_distances.back()[f] = static_cast<Rounded>(distances[f] * units_per_length + 1);
+      }
+      m_sums.back().push_back(static_cast<float>(sum));
     }
   }
 
@@ -81,21 +82,18 @@ public:
     return result;
   }
 
-  // The bound of a face, but for rounding; infinite without a source.
+  // The bound of a face, but for rounding in double precision; infinite without a source.
   double operator()(Index face)
   {
-    std::fill(m_best.begin(), m_best.end(), (std::numeric_limits<double>::infinity)());
+    std::fill(m_best.begin(), m_best.end(), (std::numeric_limits<float>::infinity)());
     for (std::size_t source = 0; source < number_of_sources(); ++source)
     {
-      const double distance = m_distances[source][face] * m_units[source];
-      const double* const sums = m_sums[source].data();
+      const float distance = static_cast<float>(m_distances[source][face] * m_units[source]);
+      const float* const sums = m_sums[source].data();
       for (std::size_t group = 0; group < m_best.size(); ++group)
         m_best[group] = (std::min)(m_best[group], sums[group] + m_sizes[group] * distance);
     }
-    double sum = 0;
-    for (double group : m_best)
-      sum += group;
-    return sum;
+    return std::reduce(m_best.begin(), m_best.end(), 0.) * rounding_of_floats;
   }
 
 private:
@@ -109,6 +107,9 @@ private:
   using Rounded = std::uint16_t;
   static constexpr double most_units = (std::numeric_limits<Rounded>::max)() - 1;
 
+  // Sums take four bytes, so that twice as many are added and compared at once. Of eight operations that may be rounded five are.
+  static constexpr double rounding_of_floats = 1 + 4 * (std::numeric_limits<float>::epsilon)();
+
   Index group_begin(Index group) const
   {
     return static_cast<Index>(std::size_t(m_number_of_faces) * group / m_number_of_groups);
@@ -116,11 +117,11 @@ private:
 
   Index m_number_of_faces;
   Index m_number_of_groups;
-  std::vector<double> m_sizes;                   // |G|
+  std::vector<float> m_sizes;                    // |G|
   std::vector<double> m_units;                   // by c
   std::vector<std::vector<Rounded>> m_distances; // d(i, c) by c and i, in units
-  std::vector<std::vector<double>> m_sums;       // D(c, G) by c and G
-  std::vector<double> m_best;                    // of every group, for one face
+  std::vector<std::vector<float>> m_sums;        // D(c, G) by c and G
+  std::vector<float> m_best;                     // of every group, for one face
 };
 
 } // namespace internal

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -36,21 +37,19 @@ class Local_sum_bounds
 public:
   using Index = Indexed_surface::Index;
 
-  explicit Local_sum_bounds(const Indexed_surface& surface)
-    : m_surface(surface),
-      m_number_in_ball(surface.number_of_faces(), Indexed_surface::no_face()),
-      m_holder(surface.number_of_faces())
+  explicit Local_sum_bounds(Index number_of_faces)
+    : m_number_in_ball(number_of_faces, Indexed_surface::no_face()),
+      m_holder(number_of_faces)
   {}
 
-  // Lowers the bounds around the source of `tree` and `distances`, where they reach `largest`, the largest
-  // sum found so far, and `is_open(face)`. Every computed bound is multiplied by `rounding`. All faces must
-  // have been reached.
-  template <typename IsOpen>
-  void lower(const Shortest_path_tree& tree,
+  // Lowers the bounds around the source of `tree` and `distances`, whose sum is `sum`, where they reach `largest`, the
+  // largest sum found so far. Every computed bound is multiplied by `rounding`. All faces must have been reached.
+  void lower(const Dual_arcs& arcs,
+             const Shortest_path_tree& tree,
              const std::vector<double>& distances,
+             double sum,
              double largest,
              double rounding,
-             IsOpen is_open,
              std::vector<double>& bounds)
   {
     const Index n = static_cast<Index>(distances.size());
@@ -58,13 +57,15 @@ public:
     if (ball_size == 0)
       return;
     collect_ball(tree, ball_size);
-    const double middle = distances[m_ball.back()] * share_of_radius;
+    const double radius = distances[m_ball.back()];
     const auto is_candidate = [&](Index f)
-    { return distances[f] < middle && bounds[f] >= largest && is_open(f); };
+    { return bounds[f] >= largest && distances[f] < radius * share_of_radius; };
     if (std::any_of(m_ball.begin(), m_ball.end(), is_candidate))
     {
-      hang_up_faces(tree, distances);
-      lower_in_ball(n / ball_size * relative_work, rounding, is_candidate, bounds);
+      hang_up_faces(tree, distances, sum);
+      // of a step, for differences of rounded distances up to twice the radius, times n, are added up
+      m_margin = 8 * n * radius * (std::numeric_limits<double>::epsilon)();
+      lower_in_ball(Dual_arcs(arcs, m_ball, m_number_in_ball), n / ball_size * relative_work, rounding, is_candidate, bounds);
     }
     for (Index f : m_ball)
       m_number_in_ball[f] = Indexed_surface::no_face();
@@ -93,23 +94,21 @@ private:
     }
   }
 
-  // The weights w(p) and D.
-  void hang_up_faces(const Shortest_path_tree& tree, const std::vector<double>& distances)
+  // The weights w(p), and D: by as much as what p hangs by is nearer the sum is smaller.
+  void hang_up_faces(const Shortest_path_tree& tree, const std::vector<double>& distances, double sum)
   {
     m_holder.assign(m_holder.size(), Indexed_surface::no_face());
     for (Index f : tree.order)
-      m_holder[f] = is_in_ball(f) ? f : m_holder[tree.parent[f]];
+      m_holder[f] = is_in_ball(f) ? m_number_in_ball[f] : m_holder[tree.parent[f]];
     m_weights.assign(m_ball.size(), 0);
-    m_hanging_sum = 0;
     for (Index f = 0; f < distances.size(); ++f)
-    {
-      const Index holder = find_holder(f, tree);
-      m_weights[m_number_in_ball[holder]] += 1;
-      m_hanging_sum += distances[f] - distances[holder];
-    }
+      m_weights[find_holder(f, tree)] += 1;
+    m_hanging_sum = sum;
+    for (Index i = 0; i < m_ball.size(); ++i)
+      m_hanging_sum -= m_weights[i] * distances[m_ball[i]];
   }
 
-  // A face may have been scanned before its parent: then what it hangs on was not known yet.
+  // By its number in the ball. A face may have been scanned before its parent: then what it hangs on was not known yet.
   Index find_holder(Index face, const Shortest_path_tree& tree)
   {
     Index known = face;
@@ -120,30 +119,15 @@ private:
 
   bool is_in_ball(Index f) const { return m_number_in_ball[f] != Indexed_surface::no_face(); }
 
-  Indexed_surface::Dual_graph graph_of_ball() const
-  {
-    std::vector<std::pair<Index, Index>> arcs;
-    std::vector<Indexed_surface::Arc> properties;
-    for (Index i = 0; i < m_ball.size(); ++i)
-      for (Index c = m_surface.first_corner(m_ball[i]); c < m_surface.first_corner(m_ball[i] + 1); ++c)
-        if (const Index g = m_surface.neighbor(c); g != Indexed_surface::no_face() && is_in_ball(g))
-        {
-          arcs.emplace_back(i, m_number_in_ball[g]);
-          properties.push_back({m_surface.arc_length(m_ball[i], g)});
-        }
-    return Indexed_surface::Dual_graph(boost::edges_are_sorted, arcs.begin(), arcs.end(),
-                                    properties.begin(), static_cast<Index>(m_ball.size()),
-                                    static_cast<Index>(arcs.size()));
-  }
-
   // Again and again for the candidate with the largest bound; its new bound is handed on to the whole ball.
   template <typename IsCandidate>
-  void lower_in_ball(Index number_of_runs,
+  void lower_in_ball(Dual_arcs arcs,
+                     Index number_of_runs,
                      double rounding,
                      IsCandidate is_candidate,
                      std::vector<double>& bounds)
   {
-    Shortest_distances distances_in_ball(graph_of_ball());
+    Shortest_distances distances_in_ball(std::move(arcs));
     std::vector<double> distances, sums;
     std::vector<Index> open;
     for (Index i = 0; i < m_ball.size(); ++i)
@@ -156,10 +140,8 @@ private:
       const Index widest = *widest_place;
       open.erase(widest_place);
       distances_in_ball(widest, distances);
-      double sum = m_hanging_sum;
-      for (Index i = 0; i < m_ball.size(); ++i)
-        sum += m_weights[i] * distances[i];
-      hand_on(sum, distances_in_ball.tree(), distances, sums);
+      hand_on(std::transform_reduce(m_weights.begin(), m_weights.end(), distances.begin(), m_hanging_sum),
+              distances_in_ball.tree(), distances, sums);
       for (Index i = 0; i < m_ball.size(); ++i)
         bounds[m_ball[i]] = (std::min)(bounds[m_ball[i]], sums[i] * rounding);
       open.erase(std::remove_if(open.begin(), open.end(), [&](Index i) { return !is_candidate(m_ball[i]); }),
@@ -184,13 +166,10 @@ private:
     m_weights_below = m_weights;
     for (std::size_t k = 0; k + 1 < m_last_places.size(); ++k)
       m_weights_below[tree.parent[m_last_places[k]]] += m_weights_below[m_last_places[k]];
-    // of a step, for differences of rounded distances, times n, are added up
-    const double longest = *std::max_element(distances.begin(), distances.end());
-    const double margin = 4 * n * longest * (std::numeric_limits<double>::epsilon)();
     for (std::size_t k = m_last_places.size() - 1; k-- > 0;)
     {
       const Index face = m_last_places[k], parent = tree.parent[face];
-      sums[face] = sums[parent] + (distances[face] - distances[parent]) * (n - 2 * m_weights_below[face]) + margin;
+      sums[face] = sums[parent] + (distances[face] - distances[parent]) * (n - 2 * m_weights_below[face]) + m_margin;
     }
   }
 
@@ -223,12 +202,12 @@ private:
     std::stable_sort(m_last_places.begin(), m_last_places.end(), [&](Index f, Index g) { return depth[f] > depth[g]; });
   }
 
-  const Indexed_surface& m_surface;
   std::vector<Index> m_ball;           // nearest first
   std::vector<Index> m_number_in_ball; // of every face
-  std::vector<Index> m_holder;         // p(j) of every face j
+  std::vector<Index> m_holder;         // p(j) of every face j by number in the ball
   std::vector<double> m_weights;       // w(p) by number in the ball
   double m_hanging_sum = 0;            // D
+  double m_margin = 0;
   std::vector<double> m_weights_below; // with the weights of all that is beyond on the tree
   std::vector<Index> m_last_places;    // by number in the ball
   std::vector<bool> m_is_collected;

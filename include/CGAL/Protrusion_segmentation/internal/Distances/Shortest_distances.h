@@ -15,6 +15,7 @@
 #include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <limits>
@@ -66,28 +67,60 @@ public:
     reserve(surface.number_of_faces(), surface.number_of_corners());
     for (Index f = 0; f < surface.number_of_faces(); ++f)
     {
+      const Indexed_surface::Point_3 centroid = surface.centroid(f);
       for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
         if (const Index g = surface.neighbor(c); g != Indexed_surface::no_face())
-          m_arcs.emplace_back(g, surface.arc_length(f, g));
+          m_arcs.emplace_back(g, std::sqrt(squared_distance(centroid, surface.centroid(g))));
       m_first.push_back(static_cast<Index>(m_arcs.size()));
     }
   }
 
-  explicit Dual_arcs(const Indexed_surface::Dual_graph& graph)
+  // The arcs between some faces, where `numbers` has the place of each among them, or else `no_face()`.
+  Dual_arcs(const Dual_arcs& all, const std::vector<Index>& faces, const std::vector<Index>& numbers)
   {
-    reserve(num_vertices(graph), num_edges(graph));
-    for (Index f = 0; f < num_vertices(graph); ++f)
+    reserve(faces.size(), 3 * faces.size());
+    for (const Index face : faces)
     {
-      for (const auto arc : boost::make_iterator_range(out_edges(f, graph)))
-        m_arcs.emplace_back(target(arc, graph), graph[arc].length);
+      for (const Arc& arc : all[face])
+        if (const Index number = numbers[arc.target()]; number != Indexed_surface::no_face())
+          m_arcs.emplace_back(number, arc.length());
       m_first.push_back(static_cast<Index>(m_arcs.size()));
     }
   }
 
   std::size_t number_of_faces() const { return m_first.size() - 1; }
-  boost::iterator_range<const Arc*> operator[](Index face) const
+  boost::iterator_range<const Arc*> operator[](Index face) const { return view()[face]; }
+
+  // To be copied, where the addresses of the arrays are to be known.
+  class View
   {
-    return {m_arcs.data() + m_first[face], m_arcs.data() + m_first[face + 1]};
+  public:
+    View(const Index* first, const Arc* arcs) : m_first(first), m_arcs(arcs) {}
+    boost::iterator_range<const Arc*> operator[](Index face) const
+    {
+      return {m_arcs + m_first[face], m_arcs + m_first[face + 1]};
+    }
+
+  private:
+    const Index* m_first;
+    const Arc* m_arcs;
+  };
+  View view() const { return {m_first.data(), m_arcs.data()}; }
+
+  // The same as a graph of Boost's.
+  Indexed_surface::Dual_graph graph() const
+  {
+    std::vector<Index> sources, targets;
+    std::vector<Indexed_surface::Arc> properties;
+    for (Index f = 0; f < number_of_faces(); ++f)
+      for (const Arc& arc : (*this)[f])
+      {
+        sources.push_back(f);
+        targets.push_back(arc.target());
+        properties.push_back({arc.length()});
+      }
+    return Indexed_surface::Dual_graph(boost::construct_inplace_from_sources_and_targets, sources, targets, properties,
+                                       static_cast<Index>(number_of_faces()));
   }
 
 private:
@@ -116,18 +149,13 @@ public:
   using Graph = Indexed_surface::Dual_graph;
   static constexpr double unreachable() { return (std::numeric_limits<double>::infinity)(); }
 
-  explicit Shortest_distances(const Indexed_surface& surface)
-    : m_arcs(std::make_shared<const Dual_arcs>(surface)), m_ring(ring_for(*m_arcs))
-  {
-    if (!m_ring.is_usable())
-      m_graph = std::make_shared<const Graph>(surface.dual_graph());
-  }
+  explicit Shortest_distances(const Indexed_surface& surface) : Shortest_distances(Dual_arcs(surface)) {}
 
-  explicit Shortest_distances(Graph graph)
-    : m_arcs(std::make_shared<const Dual_arcs>(graph)), m_ring(ring_for(*m_arcs))
+  explicit Shortest_distances(Dual_arcs arcs)
+    : m_arcs(std::make_shared<const Dual_arcs>(std::move(arcs))), m_ring(ring_for(*m_arcs))
   {
     if (!m_ring.is_usable())
-      m_graph = std::make_shared<const Graph>(std::move(graph));
+      m_graph = std::make_shared<const Graph>(m_arcs->graph());
   }
 
   // The distances from `source`; faces farther than `bound` may be left unreachable.
@@ -141,6 +169,8 @@ public:
     else
       run_buckets(source, distances, bound);
   }
+
+  const Dual_arcs& arcs() const { return *m_arcs; }
 
   // of the last run
   const Shortest_path_tree& tree() const { return m_tree; }
@@ -170,33 +200,46 @@ private:
     m_number_of_scanned_faces += distances.size();
   }
 
-  void run_buckets(Index source, std::vector<double>& distances, double bound)
+  void run_buckets(Index source, std::vector<double>& all_distances, double bound)
   {
-    m_tree.parent.resize(distances.size());
-    m_tree.order.reserve(distances.size() + distances.size() / 8); // more than the faces scanned again
+    std::vector<Index>& order = m_tree.order;
+    order.reserve(all_distances.size() + all_distances.size() / 8); // more than the faces scanned again
+    m_tree.parent.resize(all_distances.size());
+    // addresses that stay in registers; those in vectors would be read again whenever an address was written
+    double* const distances = all_distances.data();
+    Index* const parent = m_tree.parent.data();
+    const Dual_arcs::View arcs = m_arcs->view();
+
     distances[source] = 0;
     m_ring.push_source(source);
-    m_ring.scan_all([&](Index face) { return distances[face]; },
-                    [&](Index face, Ring::Offer* end) { return scan(face, distances, bound, end); },
-                    [&](const Ring::Offer& path)
+    m_ring.scan_all([=](Index face) { return distances[face]; },
+                    [=, &order](Index face, Ring::Offer* end)
+                    {
+                      order.push_back(face);
+                      return offer_paths(face, arcs[face], distances, bound, end);
+                    },
+                    [=](const Ring::Offer& path)
                     {
                       distances[path.vertex] = path.distance;
-                      m_tree.parent[path.vertex] = path.before;
+                      parent[path.vertex] = path.before;
                     },
-                    [&](Index face)
+                    [=](Index face)
                     {
                       prefetch(&distances[face]);
-                      prefetch((*m_arcs)[face].begin());
+                      prefetch(arcs[face].begin());
                     });
-    m_number_of_scanned_faces += m_tree.order.size();
+    m_number_of_scanned_faces += order.size();
   }
 
-  // Offers the paths over `face` to its neighbours. Every one is written, but stays only if it is shorter.
-  Ring::Offer* scan(Index face, const std::vector<double>& distances, double bound, Ring::Offer* end)
+  // Every path over `face` to a neighbour is written, but stays only if it is shorter.
+  static Ring::Offer* offer_paths(Index face,
+                                  boost::iterator_range<const Dual_arcs::Arc*> arcs,
+                                  const double* distances,
+                                  double bound,
+                                  Ring::Offer* end)
   {
-    m_tree.order.push_back(face);
     const double to_face = distances[face];
-    for (const Dual_arcs::Arc& arc : (*m_arcs)[face])
+    for (const Dual_arcs::Arc& arc : arcs)
     {
       const double distance = to_face + arc.length();
       *end = {distance, arc.target(), face};

@@ -23,13 +23,28 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// The sum of eq. (1) in a fixed order.
+// Of the distances from a face.
+struct Sum_and_longest
+{
+  double sum = 0; // of eq. (1), in a fixed order
+  double longest = 0;
+};
+
+// Both in one go: while one addition waits for the one before, the processor compares.
+inline Sum_and_longest sum_and_longest(const std::vector<double>& distances)
+{
+  Sum_and_longest result;
+  for (double d : distances)
+  {
+    result.sum += d;
+    result.longest = (std::max)(result.longest, d);
+  }
+  return result;
+}
+
 inline double distance_sum(const std::vector<double>& distances)
 {
-  double sum = 0;
-  for (double d : distances)
-    sum += d;
-  return sum;
+  return sum_and_longest(distances).sum;
 }
 
 // The face with the largest sum of distances to all faces, eq. (1), the lowest face where several share
@@ -76,7 +91,7 @@ struct Has_shortest_path_tree<Distances, std::void_t<decltype(std::declval<Dista
 // not needed.
 //
 // Since rounding may put a bound below the sum it bounds, bounds are enlarged by `m_rounding`: the relative
-// errors of a path and of a sum, of up to N terms each, are below N times the machine's epsilon.
+// errors of a path and of some sums, of up to N terms each, are below N times the machine's epsilon.
 template <typename Distances>
 class Largest_distance_sum
 {
@@ -86,14 +101,13 @@ public:
   Largest_distance_sum(const Indexed_surface& surface, Distances& distances, Execution& execution)
     : m_surface(surface),
       m_number_of_faces(surface.number_of_faces()),
-      m_rounding(1 + 8 * m_number_of_faces * (std::numeric_limits<double>::epsilon)()),
+      m_rounding(1 + 16 * m_number_of_faces * (std::numeric_limits<double>::epsilon)()),
       m_distances(distances),
       m_execution(execution),
       m_bounds(surface.number_of_faces(), (std::numeric_limits<double>::infinity)()),
-      m_is_visited(surface.number_of_faces(), false),
       m_sharpened_with(surface.number_of_faces(), 0),
       m_joint_bounds(surface.number_of_faces()),
-      m_local_bounds(surface)
+      m_local_bounds(surface.number_of_faces())
   {}
 
   // Visits up to `maximum_number_of_visits` faces; returns the best of them.
@@ -123,6 +137,9 @@ private:
   static constexpr Index faces_per_sharpened_bound = 50;
   static constexpr Index least_sharpened_bounds = 16;
 
+  // In place of the bound of a face that was visited: below all sums.
+  static constexpr double visited = -1;
+
   // Of a block of faces the one with the largest bound, when it was put into a heap. With blocks of 32 or 128 faces it takes
   // the same time.
   static constexpr Index faces_of_block = 64;
@@ -140,18 +157,17 @@ private:
   void visit(Index face)
   {
     m_distances(face, m_from_face);
-    m_is_visited[face] = true;
-    const double sum = distance_sum(m_from_face);
+    const auto [sum, longest] = sum_and_longest(m_from_face);
     for (Index f = 0; f < m_number_of_faces; ++f)
       m_bounds[f] = (std::min)(m_bounds[f], (sum + m_number_of_faces * m_from_face[f]) * m_rounding);
+    m_bounds[face] = visited;
     const bool is_better = sum > m_largest || (sum == m_largest && face < m_best);
     m_largest = (std::max)(m_largest, sum);
     if constexpr (has_tree)
       if (std::isfinite(sum) && !m_distances.tree().order.empty())
       {
-        m_joint_bounds.add(m_from_face);
-        m_local_bounds.lower(m_distances.tree(), m_from_face, m_largest, m_rounding,
-                             [this](Index f) { return !m_is_visited[f]; }, m_bounds);
+        m_joint_bounds.add(m_from_face, longest);
+        m_local_bounds.lower(m_distances.arcs(), m_distances.tree(), m_from_face, sum, m_largest, m_rounding, m_bounds);
       }
     if (is_better)
     {
@@ -160,19 +176,21 @@ private:
     }
   }
 
+  bool is_visited(Index face) const { return m_bounds[face] == visited; }
+
   // The face in the middle of those visited so far, or, without joint bounds, `face`. Its own sum is small, but most
   // shortest paths lead near to it.
   Index middle_or(Index face) const
   {
     const Index middle = m_joint_bounds.number_of_sources() > 0 ? m_joint_bounds.middle() : face;
-    return m_is_visited[middle] ? face : middle;
+    return is_visited(middle) ? face : middle;
   }
 
   // Whether the sum of a face may exceed the largest one found. At that sum it can tie at most, which matters only
   // for a lower face.
   bool is_open(Index f) const
   {
-    return !m_is_visited[f] && (m_bounds[f] > m_largest || (m_bounds[f] == m_largest && f < m_best));
+    return m_bounds[f] > m_largest || (m_bounds[f] == m_largest && f < m_best);
   }
 
   // The face with the largest bound, the lowest one among equals; none if no sum can exceed the largest one found.
@@ -254,7 +272,6 @@ private:
   Distances& m_distances;
   Execution& m_execution;
   std::vector<double> m_bounds;
-  std::vector<bool> m_is_visited;
   std::vector<unsigned char> m_sharpened_with; // how many sources
   Joint_sum_bounds m_joint_bounds;
   Local_sum_bounds m_local_bounds;

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -35,16 +36,17 @@ inline Section_plane plane_of_slot(const Indexed_surface& surface,
   const Indexed_surface::Point_3 origin(0, 0, 0);
   for (Index f : slots.faces(slot))
   {
+    const Indexed_surface::Point_3 centroid = surface.centroid(f);
     area += surface.area(f);
-    centre += surface.area(f) * (surface.centroid(f) - origin);
+    centre += surface.area(f) * (centroid - origin);
     for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
-    {
-      const Index g = surface.neighbor(c);
-      const double length = g == Indexed_surface::no_face() ? 0 : surface.arc_length(f, g);
-      if (length > 0)
-        growth += (surface.area(f) * (distances[g] - distances[f]) / (length * length)) *
-                  (surface.centroid(g) - surface.centroid(f));
-    }
+      if (const Index g = surface.neighbor(c); g != Indexed_surface::no_face())
+      {
+        const Vector_3 arc = surface.centroid(g) - centroid;
+        const double length = std::sqrt(arc.squared_length()); // as in the dual graph
+        if (length > 0)
+          growth += (surface.area(f) * (distances[g] - distances[f]) / (length * length)) * arc;
+      }
   }
   return {area > 0 ? origin + centre / area : surface.centroid(slots.faces(slot).front()), growth};
 }
