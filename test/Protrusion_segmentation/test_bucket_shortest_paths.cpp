@@ -128,6 +128,20 @@ void equals_boost_where_buckets_are_of_no_use()
   }
 }
 
+// Two vertices with so many arcs that they are scanned alone, to the same ones.
+void equals_boost_where_vertices_have_many_arcs()
+{
+  for (std::uint_fast32_t seed = 0; seed < 5; ++seed)
+  {
+    Random random(seed);
+    List_graph<boost::undirectedS, double> graph(3000);
+    for (std::size_t v = 2; v < num_vertices(graph); ++v)
+      for (const std::size_t hub : {0, 1})
+        add_edge(hub, v, random.real(0, 1), graph);
+    check_paths<double>(graph, get(boost::edge_weight, graph), std::array<std::size_t, 2>{0, 2999});
+  }
+}
+
 // A face dual graph, and a surface mesh along its edges.
 void equals_boost_on_meshes()
 {
@@ -171,6 +185,7 @@ int main()
   equals_boost_on_random_graphs<boost::directedS>(1000);
   equals_boost_on_random_graphs<boost::bidirectionalS>(3);
   equals_boost_where_buckets_are_of_no_use();
+  equals_boost_where_vertices_have_many_arcs();
   equals_boost_on_meshes();
   parameters_are_those_of_boost();
   return check::result();

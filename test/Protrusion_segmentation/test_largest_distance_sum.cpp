@@ -186,10 +186,10 @@ void joint_bounds_are_bounds()
     for (Index source = 0; source < surface.number_of_faces(); source += 7)
     {
       distances(source, from_face);
-      bounds.add(from_face);
+      const double longest = *std::max_element(from_face.begin(), from_face.end());
+      bounds.add(from_face, longest);
       for (Index f = 0; f < surface.number_of_faces(); ++f)
         CHECK(bounds(f) >= sums[f] * (1 - 1e-12));
-      const double longest = *std::max_element(from_face.begin(), from_face.end());
       if (bounds.number_of_sources() == 1)
         CHECK(bounds(source) <= sums[source] + 1e-4 * longest * surface.number_of_faces());
     }

@@ -34,7 +34,7 @@ using Index = PS::Indexed_surface::Index;
 class Boost_shortest_distances
 {
 public:
-  explicit Boost_shortest_distances(const PS::Indexed_surface& surface) : m_graph(surface.dual_graph()) {}
+  explicit Boost_shortest_distances(const PS::Indexed_surface& surface) : m_arcs(surface), m_graph(surface.dual_graph()) {}
 
   void operator()(Index source, std::vector<double>& distances)
   {
@@ -51,6 +51,7 @@ public:
         .visitor(boost::make_dijkstra_visitor(Order_of_scans(m_tree.order))));
   }
 
+  const PS::internal::Dual_arcs& arcs() const { return m_arcs; }
   const PS::internal::Shortest_path_tree& tree() const { return m_tree; }
   std::size_t number_of_runs() const { return m_number_of_runs; }
 
@@ -70,6 +71,7 @@ private:
     std::vector<Index>* order;
   };
 
+  PS::internal::Dual_arcs m_arcs;
   PS::Indexed_surface::Dual_graph m_graph;
   PS::internal::Shortest_path_tree m_tree;
   std::size_t m_number_of_runs = 0;

@@ -20,6 +20,7 @@
 #include <functional>
 #include <limits>
 #include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
@@ -62,59 +63,62 @@ public:
   {
     using boost::get; // of pointers as property maps, which CGAL::get() hides
     using boost::put;
-    Bucket_ring<Vertex> ring = start();
+    Ring ring = start();
     if (!ring.is_usable())
       return run_boost(begin, end);
     for (VertexIterator source = begin; source != end; ++source)
     {
       put(m_distance, *source, Distance());
-      ring.push(*source, 0);
+      ring.push_source(*source);
     }
-    ring.scan_all([this](const Vertex& v) { return static_cast<double>(get(m_distance, v)); },
-                  [&](const Vertex& v) { scan(v, ring); }, [](const Vertex&) {});
+    ring.scan_all([this](const Vertex& v) { return get(m_distance, v); },
+                  [this](const Vertex& v, typename Ring::Offer* end) { return offer_paths(v, end); },
+                  [this](const typename Ring::Offer& path)
+                  {
+                    put(m_distance, path.vertex, path.distance);
+                    put(m_predecessor, path.vertex, path.before);
+                  },
+                  [](const Vertex&) {});
   }
 
 private:
+  using Ring = Bucket_ring<Vertex, Distance>;
+
   // Gives every vertex its first values, and measures the arcs.
-  Bucket_ring<Vertex> start()
+  Ring start()
   {
     using boost::get;
     using boost::put;
-    double sum = 0, longest = 0;
-    std::size_t number = 0;
+    Arc_lengths lengths;
+    std::vector<double> of_vertex;
     for (const Vertex v : boost::make_iterator_range(vertices(m_graph)))
     {
       put(m_distance, v, m_infinity);
       put(m_predecessor, v, v);
+      of_vertex.clear();
       for (const auto arc : boost::make_iterator_range(out_edges(v, m_graph)))
       {
-        const double weight = static_cast<double>(get(m_weight, arc));
-        if (weight < 0)
+        of_vertex.push_back(static_cast<double>(get(m_weight, arc)));
+        if (of_vertex.back() < 0)
           boost::throw_exception(boost::negative_edge());
-        sum += weight;
-        longest = (std::max)(longest, weight);
-        ++number;
       }
+      lengths.add_vertex(of_vertex);
     }
-    return Bucket_ring<Vertex>(sum, (std::max)(number, std::size_t(1)), longest);
+    return Ring(lengths);
   }
 
-  void scan(const Vertex& v, Bucket_ring<Vertex>& ring)
+  typename Ring::Offer* offer_paths(const Vertex& v, typename Ring::Offer* end) const
   {
     using boost::get;
-    using boost::put;
     const Distance to_v = get(m_distance, v);
     for (const auto arc : boost::make_iterator_range(out_edges(v, m_graph)))
     {
-      const Distance distance = to_v + get(m_weight, arc);
       const Vertex neighbor = target(arc, m_graph);
-      if (distance < get(m_distance, neighbor))
-      {
-        put(m_distance, neighbor, distance);
-        put(m_predecessor, neighbor, v);
-        ring.push(neighbor, static_cast<double>(distance));
-      }
+      const Distance distance = to_v + get(m_weight, arc);
+      *end = {distance, neighbor, v};
+      end += distance < get(m_distance, neighbor);
     }
+    return end;
   }
 
   template <typename VertexIterator>
