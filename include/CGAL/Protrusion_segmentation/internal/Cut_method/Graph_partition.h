@@ -6,8 +6,11 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_PARTITION_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Distance_queue.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Bucket_ring.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
+
+#include <boost/range/adaptor/transformed.hpp>
 
 #include <CGAL/assertions.h>
 
@@ -45,7 +48,9 @@ public:
   Graph_partition(const Weighted_dual_graph& graph, std::vector<Index> segments)
     : m_graph(graph),
       m_sides(std::move(segments)),
-      m_visits(graph.number_of_nodes())
+      m_visits(graph.number_of_nodes()),
+      m_distances(graph.number_of_nodes(), unreached),
+      m_ring(ring_for(graph))
   {
     for (Index& side : m_sides) // still the segment
       side = side_of(side, false);
@@ -170,7 +175,7 @@ public:
       for (Index arc : m_graph.arcs(nodes[k]))
       {
         const Index j = m_graph.target[arc];
-        const float share = m_visits[j].stamp == m_stamp ? m_visits[j].distance : 0;
+        const float share = m_visits[j].stamp == m_stamp ? m_visits[j].share : 0;
         if (is_on_side(j, segment, inner) && share < shares[k])
           cost += m_graph.capacity[arc] * (shares[k] - share);
       }
@@ -222,7 +227,7 @@ private:
   struct Last_visit
   {
     std::uint32_t stamp = 0;
-    float distance = 0;
+    float share = 0; // see `cost_around()`
   };
 
   // A segment and one of its sides as one number: both are asked for wherever a graph is searched.
@@ -249,33 +254,61 @@ private:
     return largest;
   }
 
+  using Ring = Bucket_ring<Index, float>;
+  static constexpr float unreached = (std::numeric_limits<float>::infinity)();
+
+  // Of the longest that paths are searched with.
+  static Ring ring_for(const Weighted_dual_graph& graph)
+  {
+    Arc_lengths lengths;
+    for (Index i = 0; i < graph.number_of_nodes(); ++i)
+      lengths.add_vertex(graph.arcs(i) | boost::adaptors::transformed(graph.seam_lengths()));
+    return Ring::for_all(lengths);
+  }
+
   template <typename IsInside, typename Length, typename Visit>
   void visit_by_distance(const Nodes& seeds, IsInside is_inside, Length length, double limit, Visit visit)
   {
-    ++m_stamp;
-    m_queue.clear();
+    float* const distances = m_distances.data();
     for (Index seed : seeds)
-      offer(seed, 0);
-    while (!m_queue.empty())
     {
-      const auto [node, distance] = m_queue.pop();
-      if (distance > m_visits[node].distance)
-        continue;
-      if (distance > limit)
-        break;
-      visit(node, distance);
-      for (Index arc : m_graph.arcs(node))
-        if (is_inside(m_graph.target[arc]))
-          offer(m_graph.target[arc], distance + static_cast<float>(length(arc)));
+      distances[seed] = 0;
+      m_ring.push_source(seed);
     }
+    m_ring.scan_all([=](Index node) { return distances[node]; },
+                    [&, distances](Index node, Ring::Offer* end)
+                    {
+                      m_scanned.push_back(node);
+                      const float to_node = distances[node];
+                      for (Index arc : m_graph.arcs(node))
+                      {
+                        const Index neighbor = m_graph.target[arc];
+                        const float distance = to_node + static_cast<float>(length(arc));
+                        *end = {distance, neighbor, node};
+                        end += (distance < distances[neighbor]) & (distance <= limit) & is_inside(neighbor);
+                      }
+                      return end;
+                    },
+                    [=](const Ring::Offer& path) { distances[path.vertex] = path.distance; },
+                    [&] { visit_in_order(visit); }, [](Index) {});
+    for (Index node : m_reached)
+      distances[node] = unreached;
+    m_reached.clear();
   }
 
-  void offer(Index node, float distance)
+  // The nodes that were scanned, whose distances are final, each once.
+  template <typename Visit>
+  void visit_in_order(Visit visit)
   {
-    if (m_visits[node].stamp == m_stamp && m_visits[node].distance <= distance)
-      return;
-    m_visits[node] = {m_stamp, distance};
-    m_queue.push(node, distance);
+    m_keys.clear();
+    for (Index node : m_scanned)
+      m_keys.push_back(float_key(m_distances[node], node));
+    m_reached.insert(m_reached.end(), m_scanned.begin(), m_scanned.end());
+    m_scanned.clear();
+    std::sort(m_keys.begin(), m_keys.end());
+    m_keys.erase(std::unique(m_keys.begin(), m_keys.end()), m_keys.end());
+    for (Float_key key : m_keys)
+      visit(index_of(key), float_of(key));
   }
 
   template <typename IsInside>
@@ -301,7 +334,12 @@ private:
   std::vector<Index> m_sides;       // of every node, see `side_of()`
   std::vector<Last_visit> m_visits; // of every node
   std::uint32_t m_stamp = 0;
-  Distance_queue m_queue;
+  // of a search by distance
+  std::vector<float> m_distances; // of every node
+  Nodes m_reached;                // whose distances are to be forgotten, some more than once
+  Nodes m_scanned;                // in the current bucket, some more than once
+  std::vector<Float_key> m_keys;  // of these, each once, in order
+  Ring m_ring;
 };
 
 } // namespace internal

@@ -36,6 +36,8 @@ struct Arc_lengths
     number += of_this_vertex;
     most_of_a_vertex = (std::max)(most_of_a_vertex, of_this_vertex);
   }
+
+  double mean() const { return number > 0 ? sum / static_cast<double>(number) : 0; }
 };
 
 // A ring of buckets in place of the heap of Dijkstra's algorithm, each as wide as the mean arc. Inside a bucket a
@@ -57,21 +59,21 @@ public:
     Vertex before; // on the path
   };
 
+  // Buckets are as wide as the mean arc.
   explicit Bucket_ring(const Arc_lengths& arcs)
   {
-    const double mean = arcs.sum / static_cast<double>((std::max)(arcs.number, std::size_t(1)));
-    if (!(mean > 0) || !std::isfinite(mean) || arcs.longest > mean * most_buckets)
-      return;
-    m_buckets_per_unit = 1 / mean;
-    // An arc ends at most longest / mean + 1 buckets further, and one more where rounding moves its ends
-    // to different sides of a bucket's limit. The ring must be longer than that; a power of two spares a division, which
-    // would take a fifth of the whole time.
-    std::size_t size = 4;
-    while (size < static_cast<std::size_t>(arcs.longest / mean) + 3)
-      size *= 2;
-    m_buckets.resize(size);
-    m_vertices_at_once = (std::min)(most_vertices_at_once, (std::max)(most_offers / arcs.most_of_a_vertex, std::size_t(1)));
-    m_offers.resize(m_vertices_at_once * arcs.most_of_a_vertex);
+    const double mean = arcs.mean();
+    if (mean > 0 && std::isfinite(mean) && arcs.longest <= mean * most_buckets)
+      make_buckets(mean, arcs);
+  }
+
+  // For arcs of any finite lengths: where one is too long buckets are wider, and vertices in them may be scanned more often.
+  static Bucket_ring for_all(const Arc_lengths& arcs)
+  {
+    Bucket_ring ring;
+    const double width = (std::max)(arcs.mean(), arcs.longest / most_buckets);
+    ring.make_buckets(width > 0 ? width : 1, arcs);
+    return ring;
   }
 
   // Or else there are no arcs, or only ones of length 0, or one is too long for the ring.
@@ -87,10 +89,11 @@ public:
   // In the order of the buckets:
   // - `offer(vertex, place)` writes the paths over a vertex that are shorter than those known from `place` on and returns the
   //   place behind them,
-  // - `accept(offer)` is called where the offer still is shorter than `distance_of(vertex)`, the least that is known.
-  // `ask_for(vertex)` is called some vertices before one may be scanned.
-  template <typename DistanceOf, typename OfferPaths, typename Accept, typename AskFor>
-  void scan_all(DistanceOf distance_of, OfferPaths offer, Accept accept, AskFor ask_for)
+  // - `accept(offer)` is called where the offer still is shorter than `distance_of(vertex)`, the least that is known,
+  // - `leave_bucket()` is called when the distances of all vertices whose paths were offered up to then are final,
+  // - `ask_for(vertex)` is called some vertices before one may be scanned.
+  template <typename DistanceOf, typename OfferPaths, typename Accept, typename LeaveBucket, typename AskFor>
+  void scan_all(DistanceOf distance_of, OfferPaths offer, Accept accept, LeaveBucket leave_bucket, AskFor ask_for)
   {
     // in registers, which members would not be
     const double buckets_per_unit = m_buckets_per_unit;
@@ -123,10 +126,28 @@ public:
       }
       pending -= queue.size();
       queue.clear();
+      leave_bucket();
     }
   }
 
 private:
+  Bucket_ring() = default;
+
+  void make_buckets(double width, const Arc_lengths& arcs)
+  {
+    m_buckets_per_unit = 1 / width;
+    // An arc ends at most longest / width + 1 buckets further, and one more where rounding moves its ends
+    // to different sides of a bucket's limit. The ring must be longer than that; a power of two spares a division, which
+    // would take a fifth of the whole time.
+    std::size_t size = 4;
+    while (size < static_cast<std::size_t>(arcs.longest / width) + 3)
+      size *= 2;
+    m_buckets.resize(size);
+    const std::size_t most = (std::max)(arcs.most_of_a_vertex, std::size_t(1));
+    m_vertices_at_once = (std::min)(most_vertices_at_once, (std::max)(most_offers / most, std::size_t(1)));
+    m_offers.resize(m_vertices_at_once * most);
+  }
+
   // A longer ring would cost more to walk than the heap; meshes with arcs a thousand times their mean are
   // needles and rare.
   static constexpr std::size_t most_buckets = 1024;

@@ -223,6 +223,7 @@ private:
                       distances[path.vertex] = path.distance;
                       parent[path.vertex] = path.before;
                     },
+                    [] {},
                     [=](Index face)
                     {
                       prefetch(&distances[face]);
