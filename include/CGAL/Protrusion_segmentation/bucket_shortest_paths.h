@@ -72,7 +72,7 @@ public:
       ring.push_source(*source);
     }
     ring.scan_all([this](const Vertex& v) { return get(m_distance, v); },
-                  [this](const Vertex& v, typename Ring::Offer* end) { return offer_paths(v, end); },
+                  [this](const Vertex& v, typename Ring::Offer* place) { return offer_paths(v, place); },
                   [this](const typename Ring::Offer& path)
                   {
                     put(m_distance, path.vertex, path.distance);

@@ -151,9 +151,10 @@ private:
   // A longer ring would cost more to walk than the heap; meshes with arcs a thousand times their mean are
   // needles and rare.
   static constexpr std::size_t most_buckets = 1024;
-  static constexpr std::size_t vertices_ahead = 6;
+  // With 6 the paper's method takes a twentieth more time, with 20 thousand faces as with a million.
+  static constexpr std::size_t vertices_ahead = 16;
   // From 16 to 64 it takes the same time, with 8 a tenth more. Of vertices with many arcs fewer are scanned at once.
-  static constexpr std::size_t most_vertices_at_once = 16;
+  static constexpr std::size_t most_vertices_at_once = 32;
   static constexpr std::size_t most_offers = 1024;
 
   double m_buckets_per_unit = 0;

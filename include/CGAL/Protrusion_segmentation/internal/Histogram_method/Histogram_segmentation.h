@@ -214,10 +214,10 @@ private:
       need_segment();
       select_tips(*segment, wanted);
     }
-    const auto measure = [&](std::size_t tip, std::size_t number_of_slots)
+    const auto measure = [&](std::size_t tip, std::size_t number)
     {
       need_segment();
-      measure_first_slots(*segment, m_records[id], tip, number_of_slots);
+      measure_first_slots(*segment, m_records[id], tip, number);
     };
     const std::vector<Tip_border> borders = find_borders(id, wanted, measure);
     if (!borders.empty())
