@@ -148,7 +148,7 @@ replaces by its name alone: the named parameters are those of the Boost Graph Li
 the same to the last bit; where several shortest paths have the same length, another one may be told.
 
 A ring of buckets, each as wide as the mean weight, takes the place of Boost's heap: on the face dual graphs of this
-package that takes about a third of the time. Where a weight is more than 1024 times the mean, all are 0, or one is
+package that takes about a fifth of the time. Where a weight is more than 1024 times the mean, all are 0, or one is
 infinite, Boost's algorithm does the work.
 
 With \f$n\f$ vertices and \f$m\f$ arcs it takes \f$O(n + m)\f$ time if no vertex has to be visited again for a shorter path
