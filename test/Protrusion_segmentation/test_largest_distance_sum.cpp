@@ -169,12 +169,13 @@ void the_distances_from_the_face_take_no_further_run()
   CHECK(second == expected);
 }
 
-// However many faces were visited, no bound is below its sum; that of a visited face is nearly its sum.
-void joint_bounds_are_bounds()
+// However many faces were visited and however large they are, no bound is below its sum; that of a visited face is nearly
+// its sum.
+void joint_bounds_are_bounds(double size)
 {
   for (std::uint_fast32_t seed = 0; seed < 20; ++seed)
   {
-    const Indexed_surface surface = to_surface(random_surface(seed));
+    const Indexed_surface surface = to_surface(scaled(random_surface(seed), size));
     internal::Shortest_distances distances(surface);
     internal::Joint_sum_bounds bounds(surface.number_of_faces());
     std::vector<double> from_face, sums;
@@ -229,7 +230,8 @@ int main()
   the_number_of_visits_can_be_limited();
   few_runs_on_large_meshes();
   the_distances_from_the_face_take_no_further_run();
-  joint_bounds_are_bounds();
+  for (const double size : {1., 1e-60, 1e60})
+    joint_bounds_are_bounds(size);
   if (const char* folder = std::getenv("PRINCETON_FOLDER"))
     same_face_as_all_pairs_on_models(folder);
   return check::result();

@@ -6,12 +6,12 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_JOINT_SUM_BOUNDS_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/sum_of_terms.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -45,6 +45,8 @@ public:
   {
     if (number_of_sources() == most_sources)
       return;
+    if (number_of_sources() == 0 && longest > 0)
+      m_scale = longest;
     m_units.push_back(longest / most_units);
     const double units_per_length = longest > 0 ? most_units / longest : 0;
     m_distances.emplace_back(distances.size());
@@ -57,7 +59,7 @@ public:
         sum += distances[f];
         m_distances.back()[f] = static_cast<Rounded>(distances[f] * units_per_length + 1);
       }
-      m_sums.back().push_back(static_cast<float>(sum));
+      m_sums.back().push_back(static_cast<float>(sum / m_scale));
     }
   }
 
@@ -88,12 +90,12 @@ public:
     std::fill(m_best.begin(), m_best.end(), (std::numeric_limits<float>::infinity)());
     for (std::size_t source = 0; source < number_of_sources(); ++source)
     {
-      const float distance = static_cast<float>(m_distances[source][face] * m_units[source]);
+      const float distance = static_cast<float>(m_distances[source][face] * m_units[source] / m_scale);
       const float* const sums = m_sums[source].data();
       for (std::size_t group = 0; group < m_best.size(); ++group)
         m_best[group] = (std::min)(m_best[group], sums[group] + m_sizes[group] * distance);
     }
-    return std::reduce(m_best.begin(), m_best.end(), 0.) * rounding_of_floats;
+    return sum_of_terms(m_best.size(), [this](std::size_t group) { return m_best[group]; }) * rounding_of_floats * m_scale;
   }
 
 private:
@@ -107,7 +109,7 @@ private:
   using Rounded = std::uint16_t;
   static constexpr double most_units = (std::numeric_limits<Rounded>::max)() - 1;
 
-  // Sums take four bytes, so that twice as many are added and compared at once. Of eight operations that may be rounded five are.
+  // Sums take four bytes, so that twice as many are added and compared at once. Of eight operations that may be rounded four are.
   static constexpr double rounding_of_floats = 1 + 4 * (std::numeric_limits<float>::epsilon)();
 
   Index group_begin(Index group) const
@@ -117,6 +119,7 @@ private:
 
   Index m_number_of_faces;
   Index m_number_of_groups;
+  double m_scale = 1; // what is kept as float is in units of it, so that none is too large or small for that
   std::vector<float> m_sizes;                    // |G|
   std::vector<double> m_units;                   // by c
   std::vector<std::vector<Rounded>> m_distances; // d(i, c) by c and i, in units

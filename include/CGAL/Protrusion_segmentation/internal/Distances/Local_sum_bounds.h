@@ -7,11 +7,11 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/sum_of_terms.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -64,7 +64,7 @@ public:
     {
       hang_up_faces(tree, distances, sum);
       // of a step, for differences of rounded distances up to twice the radius, times n, are added up
-      m_margin = 8 * n * radius * (std::numeric_limits<double>::epsilon)();
+      m_margin = 8. * n * radius * (std::numeric_limits<double>::epsilon)();
       lower_in_ball(Dual_arcs(arcs, m_ball, m_number_in_ball), n / ball_size * relative_work, rounding, is_candidate, bounds);
     }
     for (Index f : m_ball)
@@ -140,8 +140,8 @@ private:
       const Index widest = *widest_place;
       open.erase(widest_place);
       distances_in_ball(widest, distances);
-      hand_on(std::transform_reduce(m_weights.begin(), m_weights.end(), distances.begin(), m_hanging_sum),
-              distances_in_ball.tree(), distances, sums);
+      const double sum = m_hanging_sum + sum_of_terms(m_ball.size(), [&](std::size_t i) { return m_weights[i] * distances[i]; });
+      hand_on(sum, distances_in_ball.tree(), distances, sums);
       for (Index i = 0; i < m_ball.size(); ++i)
         bounds[m_ball[i]] = (std::min)(bounds[m_ball[i]], sums[i] * rounding);
       open.erase(std::remove_if(open.begin(), open.end(), [&](Index i) { return !is_candidate(m_ball[i]); }),

@@ -101,7 +101,7 @@ public:
   Largest_distance_sum(const Indexed_surface& surface, Distances& distances, Execution& execution)
     : m_surface(surface),
       m_number_of_faces(surface.number_of_faces()),
-      m_rounding(1 + 16 * m_number_of_faces * (std::numeric_limits<double>::epsilon)()),
+      m_rounding(1 + 16. * m_number_of_faces * (std::numeric_limits<double>::epsilon)()),
       m_distances(distances),
       m_execution(execution),
       m_bounds(surface.number_of_faces(), (std::numeric_limits<double>::infinity)()),
