@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_SEGMENT_SURFACE_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_SEGMENT_SURFACE_H
+
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/plane_section.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A segment as a surface of its own with the distances on it.
+struct Segment_surface
+{
+  Indexed_surface::Index id;
+  Extracted_segment extracted; // without a surface if it is all of `whole`, which would be there twice
+  const Indexed_surface& surface;
+  std::unique_ptr<Distances_on_surface> distances; // refer to the surface
+  std::vector<std::vector<double>> from_tips;      // of the first records, for a surface that is not large
+
+  Segment_surface(Indexed_surface::Index id_,
+                  Extracted_segment extracted_,
+                  const Indexed_surface& whole,
+                  const Any_distance& distance,
+                  Execution& execution)
+    : id(id_),
+      extracted(std::move(extracted_)),
+      surface(extracted.faces.size() == whole.number_of_faces() ? whole : extracted.surface),
+      distances(distance.on(surface, execution))
+  {}
+  Segment_surface(const Segment_surface&) = delete;
+  Segment_surface& operator=(const Segment_surface&) = delete;
+
+  Indexed_surface::Index number_of_face(Indexed_surface::Index face_of_whole_surface) const
+  {
+    const auto& faces = extracted.faces; // ascending
+    return static_cast<Indexed_surface::Index>(
+      std::lower_bound(faces.begin(), faces.end(), face_of_whole_surface) - faces.begin());
+  }
+
+  // The distances from the next tip will be wanted a second time. Returns whether there is room for them.
+  bool keep(const std::vector<double>& from_tip)
+  {
+    if ((from_tips.size() + 1) * from_tip.size() > most_kept_distances)
+      return false;
+    from_tips.push_back(from_tip);
+    return true;
+  }
+
+  // The distances from a tip by its number, at least up to a bound.
+  const std::vector<double>& from(std::size_t number, Indexed_surface::Index tip, double bound)
+  {
+    if (number < from_tips.size())
+      return from_tips[number];
+    (*distances)(tip, m_from_tip, bound);
+    return m_from_tip;
+  }
+
+  // Work arrays for sections, from the first time on that one is wanted.
+  Plane_section& section()
+  {
+    if (!m_section)
+      m_section.emplace(surface);
+    return *m_section;
+  }
+
+private:
+  static constexpr std::size_t most_kept_distances = std::size_t(1) << 20; // 8 MB
+
+  std::vector<double> m_from_tip;
+  std::optional<Plane_section> m_section;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_SEGMENT_SURFACE_H
