@@ -282,7 +282,9 @@ private:
   std::vector<internal::Cut> searched(Index s)
   {
     select(s);
-    return m_search.cuts(s, m_pool[s].nodes, m_tip_orders.from_all_tips(s, m_pool[s].nodes));
+    internal::Cut_search::Candidate_sources sources;
+    m_tip_orders.from_all_tips(s, m_pool[s].nodes, [&](Nodes order) { sources.add_order(std::move(order)); });
+    return m_search.cuts(s, m_pool[s].nodes, std::move(sources));
   }
 
   Graph_partition m_partition;

@@ -26,7 +26,9 @@ constexpr Index no_limit = 1000000;
 
 Clusters clusters_of(const Weighted_dual_graph& graph, Index largest_number = no_limit)
 {
-  return internal::Disk_clusters(graph)(largest_number, quiet_execution());
+  internal::Disk_clusters disks(graph);
+  disks.select_seeds(largest_number, quiet_execution());
+  return disks.clusters();
 }
 
 // Of clusters, how many pieces their nodes form.
@@ -120,7 +122,7 @@ void a_large_surface_has_as_many_nodes()
 {
   const Weighted_dual_graph graph = weighted_dual_graph(icosphere(7)); // 327,680 faces
   const std::optional<internal::Coarse_graph> groups = internal::make_groups(graph, quiet_execution());
-  const internal::Coarse_graph coarse = internal::make_coarse_graph(graph, groups, quiet_execution());
+  const internal::Coarse_graph coarse = internal::make_coarse_graph(graph, std::nullopt, groups, quiet_execution());
   CHECK(coarse.graph.number_of_nodes() > 1500 && coarse.graph.number_of_nodes() < 2500);
   CHECK_EQUAL(number_of_pieces(graph, {coarse.node, coarse.graph.number_of_nodes()}), coarse.graph.number_of_nodes());
 }
@@ -128,7 +130,7 @@ void a_large_surface_has_as_many_nodes()
 void a_small_surface_stays_as_it_is()
 {
   const internal::Coarse_graph coarse =
-    internal::make_coarse_graph(weighted_dual_graph(icosphere(2)), std::nullopt, quiet_execution());
+    internal::make_coarse_graph(weighted_dual_graph(icosphere(2)), std::nullopt, std::nullopt, quiet_execution());
   CHECK_EQUAL(coarse.graph.number_of_nodes(), icosphere(2).faces.size());
   for (Index f = 0; f < coarse.node.size(); ++f)
     CHECK_EQUAL(coarse.node[f], f);

@@ -191,7 +191,9 @@ void best_cuts_of_a_star_are_its_arms()
   Graph_partition partition(graph, std::vector<Index>(nodes.size(), 0));
   internal::Cut_search search(partition, internal::default_cut_policy(), quiet_execution());
   internal::Tip_orders tip_orders(partition, quiet_execution());
-  const std::vector<internal::Cut> cuts = search.cuts(0, nodes, tip_orders.from_all_tips(0, nodes));
+  internal::Cut_search::Candidate_sources sources;
+  tip_orders.from_all_tips(0, nodes, [&](Nodes order) { sources.add_order(std::move(order)); });
+  const std::vector<internal::Cut> cuts = search.cuts(0, nodes, std::move(sources));
   // more than one, but not always all: the others are found in what remains
   constexpr std::size_t least_number = 3;
   CHECK(cuts.size() >= least_number);

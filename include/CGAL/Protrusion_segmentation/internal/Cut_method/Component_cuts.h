@@ -14,11 +14,13 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Pool_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Segment_pool.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Segment_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/disk_clusters.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_coarse_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/make_weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/measure_volumes.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/straighten_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 #include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
 
 #include <algorithm>
@@ -44,9 +46,18 @@ struct Cut_graphs
   Cut_graphs(const Indexed_surface& surface, const Cut_policy& policy, Execution& execution)
   {
     const Stage_scope stage(execution.observer(), Stage::PREPARATION);
-    fine = make_weighted_dual_graph(surface, policy, execution);
+    std::optional<Disk_clusters> disks;
+    Weighted_dual_graph_maker maker(surface, policy, execution, fine);
+    maker.measure();
+    call_both(
+      execution.is_parallel(), [&] { maker.weigh(); },
+      [&]
+      {
+        if (has_disks_of_nodes(fine))
+          disks.emplace(select_disks(fine, execution));
+      });
     groups = make_groups(fine, execution);
-    coarse = make_coarse_graph(fine, groups, execution);
+    coarse = make_coarse_graph(fine, std::move(disks), groups, execution);
     straighten_borders(surface, fine, coarse.node, coarse.graph, execution.is_parallel());
     measure_volumes(surface, coarse.node, coarse.graph, execution.is_parallel());
     coarse.graph.keep_seam_lengths();

@@ -51,6 +51,8 @@ public:
   std::size_t number_of_segments() const { return m_set.segments.size(); }
   // the segment of every face
   const std::vector<Index>& labels() const { return m_labels; }
+  // the segment that each sticks out of; the body is its own
+  const std::vector<Index>& parents() const { return m_parents; }
 
   // All but the body; `tip` is a face of the component.
   std::vector<Protrusion<Index>> protrusions() const
@@ -240,7 +242,7 @@ private:
   std::vector<Border_arc> m_border_arcs; // ascending
   std::vector<Index> m_leaf_of_node;
   std::map<Index, std::vector<Index>> m_leaves; // in every segment of the pool that was one
-  std::vector<Index> m_parents; // of every segment; the body is its own
+  std::vector<Index> m_parents; // of every segment
   std::vector<double> m_areas_beyond, m_values, m_probabilities;
 };
 

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -54,15 +55,25 @@ public:
     bool is_region; // else a level set
   };
 
-  // What candidates are taken from: of some orders of the nodes of a segment the best level sets, from the near and from the
-  // far end, and regions.
+  // An order of the nodes of a segment and its best level sets, from the near and from the far end.
+  struct Sweeps
+  {
+    std::size_t number;
+    Nodes order;
+    std::vector<Level_set> upwards, downwards;
+  };
+
+  // What candidates are taken from: level sets and regions.
   struct Candidate_sources
   {
-    std::vector<Nodes> orders;
-    std::vector<std::vector<Level_set>> level_sets; // of each sweep over an order
+    std::deque<Sweeps> sweeps; // which stay where they are while further ones are added
     Merged_regions regions;
 
-    std::size_t number_of_sweeps() const { return 2 * orders.size(); }
+    Sweeps& add_order(Nodes order)
+    {
+      sweeps.push_back({sweeps.size(), std::move(order), {}, {}});
+      return sweeps.back();
+    }
   };
 
   struct Accept_all
@@ -70,21 +81,19 @@ public:
     bool operator()(const Nodes&) const { return true; }
   };
 
-  // The cuts of a segment with the given nodes around those level sets of the given orders of these nodes and those regions
-  // for which `accept(nodes)` holds, best first.
+  // The cuts of a segment with the given nodes around those level sets of the orders in `sources` and those regions for which
+  // `accept(nodes)` holds, best first.
   template <typename Accept = Accept_all>
-  std::vector<Cut> cuts(Index segment,
-                        const Nodes& nodes,
-                        std::vector<Nodes> orders,
-                        Accept accept = Accept())
+  std::vector<Cut> cuts(Index segment, const Nodes& nodes, Candidate_sources sources, Accept accept = Accept())
   {
-    Candidate_sources sources;
-    sources.orders = std::move(orders);
-    for (std::size_t sweep = 0; sweep < sources.number_of_sweeps(); ++sweep)
-      sources.level_sets.push_back(level_sets(nodes, sources.orders, sweep));
+    for (Sweeps& sweeps : sources.sweeps)
+      for (bool descending : {false, true})
+        find_level_sets(nodes, descending, sweeps);
     sources.regions = regions(segment, nodes);
+    std::vector<Candidate> found;
+    candidates(segment, nodes, sources, accept, [&](Candidate candidate) { found.push_back(std::move(candidate)); });
     std::vector<std::optional<Cut>> result;
-    for (const Candidate& candidate : candidates(segment, nodes, sources, accept))
+    for (const Candidate& candidate : found)
       result.push_back(cut_around(segment, nodes, candidate));
     std::vector<Cut> cuts = different(std::move(result));
     sort_best_first(cuts);
@@ -96,44 +105,40 @@ public:
     return m_merger(m_partition, segment, nodes, m_partition.area(nodes), m_rank);
   }
 
-  // The best level sets of one sweep over an order of the nodes; there are two, upwards and downwards.
-  std::vector<Level_set> level_sets(const Nodes& nodes, const std::vector<Nodes>& orders, std::size_t sweep)
+  // The best level sets of one of the two sweeps over an order of the nodes, upwards or downwards.
+  void find_level_sets(const Nodes& nodes, bool descending, Sweeps& sweeps)
   {
-    const Nodes& order = orders[sweep / 2];
     const double segment_area = m_partition.area(nodes);
-    std::vector<Level_set> result;
-    if (sweep % 2 == 0)
-      m_sweep(order, segment_area, sweep / 2, false, result);
+    const Nodes& order = sweeps.order;
+    if (descending)
+      m_sweep(Nodes(order.rbegin(), order.rend()), segment_area, sweeps.number, true, sweeps.downwards);
     else
-      m_sweep(Nodes(order.rbegin(), order.rend()), segment_area, sweep / 2, true, result);
-    return result;
+      m_sweep(order, segment_area, sweeps.number, false, sweeps.upwards);
   }
 
-  // The best level sets and regions that are accepted and differ from each other.
-  template <typename Accept = Accept_all>
-  std::vector<Candidate> candidates(Index segment,
-                                    const Nodes& nodes,
-                                    const Candidate_sources& sources,
-                                    Accept accept = Accept())
+  std::size_t most_candidates() const { return maximum_number_of_level_sets + m_policy.number_of_regions(); }
+
+  // Calls `visit(candidate)` with the best level sets and regions that are accepted and differ from each other.
+  template <typename Accept, typename Visit>
+  void candidates(Index segment, const Nodes& nodes, const Candidate_sources& sources, Accept accept, Visit visit)
   {
     constexpr std::size_t level_sets_looked_at = 60; // most of the rest repeat the first ones
     constexpr std::size_t regions_looked_at = 40;
     const std::size_t number_of_regions = m_policy.number_of_regions();
-    CGAL_assertion(maximum_number_of_level_sets + number_of_regions <= maximum_number_of_candidates);
+    CGAL_assertion(most_candidates() <= maximum_number_of_candidates);
     const double segment_area = m_partition.area(nodes);
-    const std::vector<Level_set> sets = best_first(sources.level_sets);
+    const std::vector<Level_set> sets = best_first(sources.sweeps);
     for (Index i : nodes)
       m_kept[i] = 0;
-    Kept_candidates kept;
+    std::vector<double> kept_areas;
     keep_different(
       sets.size(), [&](std::size_t i) -> Candidate
-      { return {nodes_of(segment, sources.orders[sets[i].order], sets[i]), false}; },
-      accept, segment_area, {level_sets_looked_at, maximum_number_of_level_sets}, kept);
+      { return {nodes_of(segment, sources.sweeps[sets[i].order].order, sets[i]), false}; },
+      accept, segment_area, {level_sets_looked_at, maximum_number_of_level_sets}, kept_areas, visit);
     const Merged_regions& merged = sources.regions;
     keep_different(
       merged.regions.size(), [&](std::size_t i) -> Candidate { return {nodes_of(merged, merged.regions[i]), true}; },
-      accept, segment_area, {regions_looked_at, number_of_regions}, kept);
-    return std::move(kept.candidates);
+      accept, segment_area, {regions_looked_at, number_of_regions}, kept_areas, visit);
   }
 
   // The cut around a candidate or the minimum cut near it. Around a tip there is always something to be cut off, if it is
@@ -175,18 +180,13 @@ private:
   // What is looked at more closely is a bit each in `m_kept`.
   static constexpr std::size_t maximum_number_of_candidates = 32;
 
-  struct Kept_candidates
-  {
-    std::vector<Candidate> candidates;
-    std::vector<double> areas;
-  };
-
   // the cheapest first
-  static std::vector<Level_set> best_first(const std::vector<std::vector<Level_set>>& level_sets)
+  static std::vector<Level_set> best_first(const std::deque<Sweeps>& all)
   {
     std::vector<Level_set> result;
-    for (const std::vector<Level_set>& part : level_sets)
-      result.insert(result.end(), part.begin(), part.end());
+    for (const Sweeps& sweeps : all)
+      for (const std::vector<Level_set>* part : {&sweeps.upwards, &sweeps.downwards})
+        result.insert(result.end(), part->begin(), part->end());
     std::stable_sort(result.begin(), result.end(), [](const Level_set& a, const Level_set& b)
                      { return a.relative_cost < b.relative_cost; });
     return result;
@@ -197,14 +197,15 @@ private:
     std::size_t looked_at, kept;
   };
 
-  // Adds those of a number of candidates, `candidate_of(i)`, that are accepted and repeat no other one.
-  template <typename CandidateOf, typename Accept>
+  // Visits those of a number of candidates, `candidate_of(i)`, that are accepted and repeat none of those kept.
+  template <typename CandidateOf, typename Accept, typename Visit>
   void keep_different(std::size_t number,
                       CandidateOf candidate_of,
                       Accept accept,
                       double segment_area,
                       Limits left,
-                      Kept_candidates& kept)
+                      std::vector<double>& kept_areas,
+                      Visit visit)
   {
     for (std::size_t i = 0; i < number && left.looked_at > 0 && left.kept > 0; ++i)
     {
@@ -213,13 +214,13 @@ private:
         continue;
       --left.looked_at;
       const double area = m_partition.area(candidate.nodes);
-      if (is_repetition(candidate.nodes, area, segment_area, kept.areas))
+      if (is_repetition(candidate.nodes, area, segment_area, kept_areas))
         continue;
       --left.kept;
       for (Index node : candidate.nodes)
-        m_kept[node] |= 1u << kept.areas.size();
-      kept.candidates.push_back(std::move(candidate));
-      kept.areas.push_back(area);
+        m_kept[node] |= 1u << kept_areas.size();
+      kept_areas.push_back(area);
+      visit(std::move(candidate));
     }
   }
 
@@ -249,9 +250,12 @@ private:
     constexpr double largest_overlap = 0.8;
     std::array<double, maximum_number_of_candidates> common{};
     for (Index node : nodes)
-      for (std::size_t k = 0; k < kept_areas.size(); ++k)
-        if (m_kept[node] & (1u << k))
+    {
+      std::size_t k = 0;
+      for (std::uint32_t rest = m_kept[node]; rest != 0; rest >>= 1, ++k)
+        if (rest & 1u)
           common[k] += m_partition.graph().area[node];
+    }
     for (std::size_t k = 0; k < kept_areas.size(); ++k)
     {
       const double both = area + kept_areas[k] - common[k];

@@ -157,23 +157,32 @@ private:
       const Component_segments segments(*m_cuts[c], m_sets[c], m_policy, m_execution);
       const Index first = static_cast<Index>(parents.size()) - 1; // plus the number of a protrusion
       const auto id = [first, c](std::size_t s) { return s == 0 ? c : static_cast<Index>(first + s); };
-      const double unit = m_surfaces.empty() ? 1 : m_surfaces[c].unit();
       for (std::size_t f = 0; f < segments.labels().size(); ++f)
         labels[face_of_surface(c, f)] = id(segments.labels()[f]);
-      for (Protrusion<Index>& protrusion : segments.protrusions())
-      {
-        protrusion.tip = face_of_surface(c, protrusion.tip);
-        protrusion.border_distance *= unit;
-        protrusion.border_length *= unit;
-        protrusion.area *= unit * unit;
-        protrusion.segment = id(protrusion.segment);
-        protrusion.parent = id(protrusion.parent);
-        parents.push_back(static_cast<Index>(protrusion.parent));
-        protrusions.push_back(std::move(protrusion));
-      }
+      for (std::size_t s = 1; s < segments.number_of_segments(); ++s)
+        parents.push_back(id(segments.parents()[s]));
+      if (m_execution.observer().looks_at_protrusions())
+        add_protrusions(c, segments, id, protrusions);
     }
     report(protrusions);
     return Nested_segments(std::move(labels), std::move(parents), m_cuts.size());
+  }
+
+  // Those of a component, in terms of the whole surface; `id(s)` is the number that a segment of the component has there.
+  template <typename Id>
+  void add_protrusions(Index c, const Component_segments& segments, Id id, std::vector<Protrusion<Index>>& protrusions) const
+  {
+    const double unit = m_surfaces.empty() ? 1 : m_surfaces[c].unit();
+    for (Protrusion<Index>& protrusion : segments.protrusions())
+    {
+      protrusion.tip = face_of_surface(c, protrusion.tip);
+      protrusion.border_distance *= unit;
+      protrusion.border_length *= unit;
+      protrusion.area *= unit * unit;
+      protrusion.segment = id(protrusion.segment);
+      protrusion.parent = id(protrusion.parent);
+      protrusions.push_back(std::move(protrusion));
+    }
   }
 
   void report(const std::vector<Protrusion<Index>>& protrusions)

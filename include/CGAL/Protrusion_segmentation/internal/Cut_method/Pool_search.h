@@ -16,6 +16,8 @@
 #include <CGAL/Protrusion_segmentation/internal/Execution/Thread_workspaces.h>
 
 #include <cstddef>
+#include <deque>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -66,6 +68,8 @@ public:
   }
 
 private:
+  using Tasks = Thread_workspaces<Segment_search>::Tasks;
+
   const Nodes& nodes(Index segment) const { return m_pool[segment].nodes; }
 
   std::vector<Cut> taken_over(Index segment)
@@ -77,51 +81,58 @@ private:
     return Cut_search::different(std::move(cuts));
   }
 
+  // While one thread still looks for candidates, others search the cuts around those that it has found.
   std::vector<Cut> found(Index segment)
   {
     const Cut_search::Candidate_sources sources = find_sources(segment);
-    const std::vector<Cut_search::Candidate> candidates = of_segment().candidates(segment, nodes(segment), sources);
-    std::vector<std::optional<Cut>> cuts(candidates.size());
-    m_searches.for_each_index(candidates.size(), m_execution.is_parallel(),
-                              [&](Segment_search& of_thread, std::size_t i)
-                              {
-                                m_execution.progress(static_cast<double>(i) / static_cast<double>(candidates.size()));
-                                cuts[i] = of_thread.cut_around(segment, nodes(segment), candidates[i]);
-                              });
-    return Cut_search::different(std::move(cuts));
+    const double most_candidates = static_cast<double>(of_segment().most_candidates());
+    std::deque<std::optional<Cut>> cuts;
+    Tasks tasks(m_searches, m_execution.is_parallel());
+    of_segment().candidates(segment, nodes(segment), sources,
+                            [&](Cut_search::Candidate candidate)
+                            {
+                              const double share = static_cast<double>(cuts.size()) / most_candidates;
+                              std::optional<Cut>& cut = cuts.emplace_back();
+                              tasks.run(
+                                [this, segment, share, &cut, candidate = std::move(candidate)](Segment_search& of_thread)
+                                {
+                                  m_execution.progress(share);
+                                  cut = of_thread.cut_around(segment, nodes(segment), candidate);
+                                });
+                            });
+    tasks.wait();
+    return Cut_search::different({std::make_move_iterator(cuts.begin()), std::make_move_iterator(cuts.end())});
   }
 
-  // One thread searches regions while another one goes from tip to tip.
+  // While one thread goes from tip to tip, others search regions and the level sets of those tips that are known. Distances
+  // of the user's may use several threads themselves, and come before all else.
   Cut_search::Candidate_sources find_sources(Index segment)
   {
     Cut_search::Candidate_sources sources;
-    m_searches.for_each_index(2, m_execution.is_parallel() && !m_has_distance,
-                              [&](Segment_search& of_thread, std::size_t i)
-                              {
-                                if (i == 1)
-                                {
-                                  sources.regions = of_thread.regions(segment, nodes(segment));
-                                  return;
-                                }
-                                sources.orders = of_thread.orders(segment, nodes(segment));
-                                find_level_sets(segment, sources);
-                              });
+    Tasks tasks(m_searches, m_execution.is_parallel());
+    const auto search_regions = [&]
+    {
+      tasks.run([&, segment](Segment_search& of_thread)
+                { sources.regions = of_thread.regions(segment, nodes(segment)); });
+    };
+    if (!m_has_distance)
+      search_regions();
+    of_segment().orders(segment, nodes(segment),
+                        [&](Nodes order)
+                        {
+                          Cut_search::Sweeps& sweeps = sources.add_order(std::move(order));
+                          for (bool descending : {false, true})
+                            tasks.run([this, segment, &sweeps, descending](Segment_search& of_thread)
+                                      { of_thread.find_level_sets(segment, nodes(segment), descending, sweeps); });
+                        });
+    if (m_has_distance)
+      search_regions();
+    tasks.wait();
     return sources;
   }
 
-  void find_level_sets(Index segment, Cut_search::Candidate_sources& sources)
-  {
-    sources.level_sets.resize(sources.number_of_sweeps());
-    m_searches.for_each_index(sources.number_of_sweeps(), m_execution.is_parallel(),
-                              [&](Segment_search& of_thread, std::size_t sweep)
-                              {
-                                sources.level_sets[sweep] =
-                                  of_thread.level_sets(segment, nodes(segment), sources.orders, sweep);
-                              });
-  }
-
   Segment_pool& m_pool;
-  bool m_has_distance; // of the user's, which is asked by one thread at a time, and may use several itself
+  bool m_has_distance; // of the user's
   Execution& m_execution;
   Thread_workspaces<Segment_search> m_searches;
 };

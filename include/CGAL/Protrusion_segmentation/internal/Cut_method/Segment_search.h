@@ -56,15 +56,17 @@ public:
   Tip_orders& tip_orders() { return m_tip_orders; }
   const Tip_orders& tip_orders() const { return m_tip_orders; }
 
-  // The nodes of segment `s` by their distances from its tips.
-  std::vector<Nodes> orders(Index s, const Nodes& nodes)
+  // Calls `visit(order)` with the nodes of segment `s` by their distances from each of its tips.
+  template <typename Visit>
+  void orders(Index s, const Nodes& nodes, Visit visit)
   {
     const Stage_scope stage(m_execution.observer(), Stage::TIPS);
     m_execution.check();
     select(s, nodes);
     if (!m_distance)
-      return m_tip_orders.from_all_tips(s, nodes);
-    return distance_orders(m_surface, nodes, m_coarse.node, *m_distance, m_execution);
+      return m_tip_orders.from_all_tips(s, nodes, visit);
+    for (Nodes& order : distance_orders(m_surface, nodes, m_coarse.node, *m_distance, m_execution))
+      visit(std::move(order));
   }
 
   Merged_regions regions(Index s, const Nodes& nodes)
@@ -75,20 +77,23 @@ public:
     return m_search.regions(s, nodes);
   }
 
-  std::vector<Level_set> level_sets(Index s, const Nodes& nodes, const std::vector<Nodes>& orders, std::size_t sweep)
+  void find_level_sets(Index s, const Nodes& nodes, bool descending, Cut_search::Sweeps& sweeps)
   {
     const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
     m_execution.check();
     select(s, nodes);
-    return m_search.level_sets(nodes, orders, sweep);
+    m_search.find_level_sets(nodes, descending, sweeps);
   }
 
-  // What might be cut off from segment `s` with the given nodes.
-  std::vector<Cut_search::Candidate> candidates(Index s, const Nodes& nodes, const Cut_search::Candidate_sources& sources)
+  std::size_t most_candidates() const { return m_search.most_candidates(); }
+
+  // Calls `visit(candidate)` with what might be cut off from segment `s` with the given nodes.
+  template <typename Visit>
+  void candidates(Index s, const Nodes& nodes, const Cut_search::Candidate_sources& sources, Visit visit)
   {
     const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
     select(s, nodes);
-    return m_search.candidates(s, nodes, sources);
+    m_search.candidates(s, nodes, sources, Cut_search::Accept_all(), visit);
   }
 
   // The cut around one of them, if there is any.
@@ -112,10 +117,11 @@ public:
   template <typename Accept>
   std::vector<Cut> cuts_around_tip(Index tip, Index s, const Nodes& nodes, Accept accept)
   {
-    std::vector<Nodes> by_distance = orders(s, nodes);
-    by_distance.push_back(m_tip_orders.from_tip(s, tip).nodes);
+    Cut_search::Candidate_sources sources;
+    orders(s, nodes, [&](Nodes order) { sources.add_order(std::move(order)); });
+    sources.add_order(m_tip_orders.from_tip(s, tip).nodes);
     const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
-    return m_search.cuts(s, nodes, std::move(by_distance), accept);
+    return m_search.cuts(s, nodes, std::move(sources), accept);
   }
 
 private:

@@ -41,9 +41,10 @@ public:
       m_partition.graph().seam_lengths());
   }
 
-  // From each of the tips of a segment with the given nodes, which are selected by eq. (2) from the node farthest
-  // from the segment's centre of gravity on until the segment is covered.
-  std::vector<Nodes> from_all_tips(Index segment, const Nodes& nodes)
+  // Calls `visit(order)` with the order from each of the tips of a segment with the given nodes. These are selected by eq. (2)
+  // from the node farthest from the segment's centre of gravity on until the segment is covered.
+  template <typename Visit>
+  void from_all_tips(Index segment, const Nodes& nodes, Visit visit)
   {
     constexpr std::size_t maximum_number_of_tips = 12;
     // a tip nearer to another one than that share of the segment's size is no tip of its own
@@ -51,20 +52,18 @@ public:
     const double size = std::sqrt(m_partition.area(nodes));
     for (Index i : nodes)
       m_to_nearest_tip[i] = (std::numeric_limits<double>::infinity)();
-    std::vector<Nodes> orders;
     Index tip = from_tip(segment, central_node(nodes)).nodes.back();
-    while (orders.size() < maximum_number_of_tips)
+    for (std::size_t number = 0; number < maximum_number_of_tips; ++number)
     {
       Nodes_by_distance order = from_tip(segment, tip);
       for (std::size_t i = 0; i < order.nodes.size(); ++i)
         m_to_nearest_tip[order.nodes[i]] = (std::min)(m_to_nearest_tip[order.nodes[i]], order.distances[i]);
-      orders.push_back(std::move(order.nodes));
+      visit(std::move(order.nodes));
       tip = *std::max_element(nodes.begin(), nodes.end(), [&](Index a, Index b)
                               { return m_to_nearest_tip[a] < m_to_nearest_tip[b]; });
       if (m_to_nearest_tip[tip] < least_distance * size)
-        break;
+        return;
     }
-    return orders;
   }
 
   std::size_t number_of_runs() const { return m_number_of_runs; }

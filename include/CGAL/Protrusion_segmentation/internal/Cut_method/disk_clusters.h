@@ -41,18 +41,33 @@ public:
   using Index = Weighted_dual_graph::Index;
 
   // The graph must outlive the object.
-  explicit Disk_clusters(const Weighted_dual_graph& graph) : m_graph(graph), m_distances(graph.number_of_nodes())
-  {
-    sort_nodes_by_priority();
-  }
+  explicit Disk_clusters(const Weighted_dual_graph& graph) : m_graph(graph), m_distances(graph.number_of_nodes()) {}
 
-  // No more clusters than `largest_number`: the radius is enlarged until there are few enough.
-  Clusters operator()(Index largest_number, Execution& execution)
+  // No more than `largest_number`: the radius is enlarged until there are few enough. Of the graph only lengths and centres
+  // matter.
+  void select_seeds(Index largest_number, Execution& execution)
   {
     constexpr double growth = 1.25;
-    for (double radius = disk_radius; !select_seeds(radius, largest_number, execution);)
+    sort_nodes_by_priority();
+    for (double radius = disk_radius; !try_radius(radius, largest_number, execution);)
       radius *= growth;
-    return clusters_of_seeds();
+  }
+
+  // Every node to its nearest seed. To be called once, after the seeds were selected.
+  Clusters clusters()
+  {
+    Clusters result;
+    result.number = static_cast<Index>(m_seeds.size());
+    result.of_node.resize(m_graph.number_of_nodes());
+    std::fill(m_distances.begin(), m_distances.end(), infinity);
+    std::sort(m_seeds.begin(), m_seeds.end());
+    for (Index s = 0; s < m_seeds.size(); ++s)
+    {
+      offer(m_seeds[s], 0);
+      result.of_node[m_seeds[s]] = s;
+    }
+    spread(m_graph.seam_lengths(), infinity, [&](Index from, Index to) { result.of_node[to] = result.of_node[from]; });
+    return result;
   }
 
 private:
@@ -106,7 +121,7 @@ private:
   }
 
   // Selects the seeds; returns whether there are no more than `largest_number`.
-  bool select_seeds(double radius, Index largest_number, Execution& execution)
+  bool try_radius(double radius, Index largest_number, Execution& execution)
   {
     std::fill(m_distances.begin(), m_distances.end(), infinity);
     m_seeds.clear();
@@ -122,23 +137,6 @@ private:
       spread(m_graph.lengths(), static_cast<float>(radius), [](Index, Index) {});
     }
     return true;
-  }
-
-  // Every node to its nearest seed.
-  Clusters clusters_of_seeds()
-  {
-    Clusters result;
-    result.number = static_cast<Index>(m_seeds.size());
-    result.of_node.resize(m_graph.number_of_nodes());
-    std::fill(m_distances.begin(), m_distances.end(), infinity);
-    std::sort(m_seeds.begin(), m_seeds.end());
-    for (Index s = 0; s < m_seeds.size(); ++s)
-    {
-      offer(m_seeds[s], 0);
-      result.of_node[m_seeds[s]] = s;
-    }
-    spread(m_graph.seam_lengths(), infinity, [&](Index from, Index to) { result.of_node[to] = result.of_node[from]; });
-    return result;
   }
 
   void offer(Index node, float distance)

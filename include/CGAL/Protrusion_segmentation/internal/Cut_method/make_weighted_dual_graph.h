@@ -51,18 +51,24 @@ inline Indexed_surface::Point_3 centroid(const Indexed_surface& surface)
   return surface.area() > 0 ? origin + moment / surface.area() : origin;
 }
 
-// The dual graph of a surface with the weights of its seams. An edge is concave if the smoothed normals of
-// its two faces lean towards each other; which side is inside is decided by the sign of the volume.
+// Makes the dual graph of a surface in two steps: what is measured on the faces, then the weights of its seams. An edge is
+// concave if the smoothed normals of its two faces lean towards each other; which side is inside is decided by the sign of
+// the volume.
 class Weighted_dual_graph_maker
 {
 public:
   using Index = Indexed_surface::Index;
   using Vector_3 = Indexed_surface::Vector_3;
 
-  Weighted_dual_graph_maker(const Indexed_surface& surface, const Cut_policy& policy, Execution& execution)
+  // The arguments must outlive the object; the graph is empty.
+  Weighted_dual_graph_maker(const Indexed_surface& surface,
+                            const Cut_policy& policy,
+                            Execution& execution,
+                            Weighted_dual_graph& graph)
     : m_surface(surface),
       m_policy(policy),
       m_execution(execution),
+      m_graph(graph),
       m_unit(surface.area() > 0 ? std::sqrt(surface.area()) : 1),
       m_centre(centroid(surface))
   {
@@ -71,10 +77,16 @@ public:
     m_outward = !m_graph.is_flat && signed_volume(surface, execution.is_parallel()) < 0 ? -1 : 1;
   }
 
-  Weighted_dual_graph operator()()
+  // All but curvatures and capacities.
+  void measure()
   {
     number_arcs();
     for_each_face([this](Index f) { measure(f); });
+  }
+
+  // Curvatures and capacities, of what is measured, which stays as it is.
+  void weigh()
+  {
     const Diffusion::Values normals = m_graph.is_flat
                                         ? Rounded_normals(m_surface, m_graph, m_execution)()
                                         : smooth_normals(m_graph, this->normals(), normal_radius, m_execution);
@@ -86,7 +98,6 @@ public:
         for (Index arc : m_graph.arcs(f))
           weigh(f, arc, normals);
       });
-    return std::move(m_graph);
   }
 
 private:
@@ -176,17 +187,21 @@ private:
   const Indexed_surface& m_surface;
   const Cut_policy& m_policy;
   Execution& m_execution;
+  Weighted_dual_graph& m_graph;
   double m_unit;
   Indexed_surface::Point_3 m_centre;
   double m_outward;
-  Weighted_dual_graph m_graph;
 };
 
 inline Weighted_dual_graph make_weighted_dual_graph(const Indexed_surface& surface,
                                                     const Cut_policy& policy,
                                                     Execution& execution)
 {
-  return Weighted_dual_graph_maker(surface, policy, execution)();
+  Weighted_dual_graph graph;
+  Weighted_dual_graph_maker maker(surface, policy, execution, graph);
+  maker.measure();
+  maker.weigh();
+  return graph;
 }
 
 } // namespace internal

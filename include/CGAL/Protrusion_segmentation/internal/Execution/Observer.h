@@ -43,7 +43,7 @@ public:
   virtual void distances_computed(std::size_t /* number_of_runs */) {}
   virtual void tip_selected(Index /* face */) {}
   virtual void tip_eliminated(Index /* face */) {}
-  // whether it matters what protrusions are told of
+  // whether it matters what is told of tips and protrusions; what it takes to know more of them is saved if not
   virtual bool looks_at_protrusions() const { return false; }
   virtual void protrusion_found(const Protrusion<Index>&) {}
 };
