@@ -74,22 +74,32 @@ private:
 
   void select_vertices(const std::vector<Index>& faces, Surface_arrays& result)
   {
-    result.corner_vertices.reserve(result.corner_begin.back());
+    result.corner_vertices.resize(result.corner_begin.back());
+    for_each_block(faces.size(), m_is_parallel,
+                   [&](std::size_t begin, std::size_t end, std::size_t)
+                   {
+                     Index corner = result.corner_begin[begin];
+                     for (std::size_t i = begin; i < end; ++i)
+                       for (Index c = m_surface.first_corner(faces[i]); c < m_surface.first_corner(faces[i] + 1); ++c)
+                         result.corner_vertices[corner++] = m_surface.vertex(c);
+                   });
     std::vector<Index> vertices; // of the surface, in the order of the points
-    for (Index f : faces)
-      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+    for (Index& v : result.corner_vertices)
+    {
+      if (m_new_vertex[v] == none)
       {
-        const Index v = m_surface.vertex(c);
-        if (m_new_vertex[v] == none)
-        {
-          m_new_vertex[v] = static_cast<Index>(vertices.size());
-          vertices.push_back(v);
-        }
-        result.corner_vertices.push_back(m_new_vertex[v]);
+        m_new_vertex[v] = static_cast<Index>(vertices.size());
+        vertices.push_back(v);
       }
-    result.points.reserve(vertices.size());
-    for (Index v : vertices)
-      result.points.push_back(m_surface.point(v));
+      v = m_new_vertex[v];
+    }
+    result.points.resize(vertices.size());
+    for_each_block(vertices.size(), m_is_parallel,
+                   [&](std::size_t begin, std::size_t end, std::size_t)
+                   {
+                     for (std::size_t i = begin; i < end; ++i)
+                       result.points[i] = m_surface.point(vertices[i]);
+                   });
     for (Index v : vertices)
       m_new_vertex[v] = none;
   }
