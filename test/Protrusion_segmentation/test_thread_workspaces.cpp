@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Loops and tasks with a workspace for every thread: nothing is left out or done twice, by nested loops neither, and no workspace is
-// made anew for another loop.
+// Loops and tasks with a workspace for every thread: nothing is left out or done twice, by nested loops neither, and no
+// workspace is made anew for another loop.
 
 #include "check.h"
 
@@ -44,6 +44,12 @@ std::size_t total(const Thread_workspaces<Counting_workspace>& workspaces)
   return sum;
 }
 
+void check_all_once(const std::vector<std::atomic<int>>& visits)
+{
+  for (const std::atomic<int>& visit : visits)
+    CHECK_EQUAL(visit.load(), 1);
+}
+
 void every_index_comes_once(bool parallel, std::size_t most_threads)
 {
   std::atomic<std::size_t> made(0);
@@ -58,8 +64,7 @@ void every_index_comes_once(bool parallel, std::size_t most_threads)
                                 workspace.work();
                                 ++visits[i];
                               });
-    for (const std::atomic<int>& visit : visits)
-      CHECK_EQUAL(visit.load(), 1);
+    check_all_once(visits);
     CHECK_EQUAL(total(workspaces), expected += n);
   }
   CHECK(made <= 1 + most_threads);
@@ -120,8 +125,7 @@ void every_task_is_done_once(bool parallel, std::size_t most_threads)
         });
     }
     tasks.wait();
-    for (const std::atomic<int>& visit : visits)
-      CHECK_EQUAL(visit.load(), 1);
+    check_all_once(visits);
     CHECK_EQUAL(total(workspaces), expected += 2 * n);
   }
   CHECK(made <= 1 + most_threads);

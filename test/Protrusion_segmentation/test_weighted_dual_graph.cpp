@@ -247,7 +247,7 @@ void the_number_of_threads_does_not_matter()
   const Indexed_surface surface = to_surface(jittered(icosphere(6), 0.001, 5));
   Execution parallel(0, true);
   const Weighted_dual_graph expected = weighted_dual_graph(surface);
-  const Weighted_dual_graph found = internal::make_weighted_dual_graph(surface, internal::default_cut_policy(), parallel);
+  const Weighted_dual_graph found = weighted_dual_graph(surface, parallel);
   CHECK(found.first_arc == expected.first_arc && found.target == expected.target);
   CHECK(found.length == expected.length && found.border_length == expected.border_length);
   CHECK(found.curvature == expected.curvature && found.capacity == expected.capacity);

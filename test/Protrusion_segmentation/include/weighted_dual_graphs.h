@@ -14,10 +14,16 @@
 
 namespace test_meshes {
 
-inline CGAL::Protrusion_segmentation::internal::Weighted_dual_graph weighted_dual_graph(const Indexed_surface& surface)
+inline CGAL::Protrusion_segmentation::internal::Weighted_dual_graph weighted_dual_graph(
+  const Indexed_surface& surface,
+  CGAL::Protrusion_segmentation::Execution& execution = quiet_execution())
 {
   using namespace CGAL::Protrusion_segmentation::internal;
-  return make_weighted_dual_graph(surface, default_cut_policy(), quiet_execution());
+  Weighted_dual_graph graph;
+  Weighted_dual_graph_maker maker(surface, default_cut_policy(), execution, graph);
+  maker.measure();
+  maker.weigh();
+  return graph;
 }
 
 inline CGAL::Protrusion_segmentation::internal::Weighted_dual_graph weighted_dual_graph(const Test_mesh& mesh)

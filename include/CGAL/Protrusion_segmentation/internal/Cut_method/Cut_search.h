@@ -90,11 +90,9 @@ public:
       for (bool descending : {false, true})
         find_level_sets(nodes, descending, sweeps);
     sources.regions = regions(segment, nodes);
-    std::vector<Candidate> found;
-    candidates(segment, nodes, sources, accept, [&](Candidate candidate) { found.push_back(std::move(candidate)); });
     std::vector<std::optional<Cut>> result;
-    for (const Candidate& candidate : found)
-      result.push_back(cut_around(segment, nodes, candidate));
+    candidates(segment, nodes, sources, accept, [&](const Candidate& candidate)
+               { result.push_back(cut_around(segment, nodes, candidate)); });
     std::vector<Cut> cuts = different(std::move(result));
     sort_best_first(cuts);
     return cuts;
@@ -250,12 +248,9 @@ private:
     constexpr double largest_overlap = 0.8;
     std::array<double, maximum_number_of_candidates> common{};
     for (Index node : nodes)
-    {
-      std::size_t k = 0;
-      for (std::uint32_t rest = m_kept[node]; rest != 0; rest >>= 1, ++k)
-        if (rest & 1u)
+      for (std::size_t k = 0; k < kept_areas.size(); ++k)
+        if (m_kept[node] & (1u << k))
           common[k] += m_partition.graph().area[node];
-    }
     for (std::size_t k = 0; k < kept_areas.size(); ++k)
     {
       const double both = area + kept_areas[k] - common[k];

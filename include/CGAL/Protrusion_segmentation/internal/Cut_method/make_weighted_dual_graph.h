@@ -193,17 +193,6 @@ private:
   double m_outward;
 };
 
-inline Weighted_dual_graph make_weighted_dual_graph(const Indexed_surface& surface,
-                                                    const Cut_policy& policy,
-                                                    Execution& execution)
-{
-  Weighted_dual_graph graph;
-  Weighted_dual_graph_maker maker(surface, policy, execution, graph);
-  maker.measure();
-  maker.weigh();
-  return graph;
-}
-
 } // namespace internal
 } // namespace Protrusion_segmentation
 } // namespace CGAL

@@ -56,33 +56,35 @@ private:
       result.corner_begin.push_back(result.corner_begin.back() + m_surface.first_corner(f + 1) - m_surface.first_corner(f));
   }
 
-  void select_neighbors(const std::vector<Index>& faces, Surface_arrays& result) const
+  // Calls `visit(corner, old)` for every corner of the result, `old` in the surface; if parallel, several threads do so.
+  template <typename Visit>
+  void for_each_corner(const std::vector<Index>& faces, const Surface_arrays& result, Visit visit) const
   {
-    result.corner_neighbors.resize(result.corner_begin.back());
     for_each_block(faces.size(), m_is_parallel,
                    [&](std::size_t begin, std::size_t end, std::size_t)
                    {
                      Index corner = result.corner_begin[begin];
                      for (std::size_t i = begin; i < end; ++i)
                        for (Index c = m_surface.first_corner(faces[i]); c < m_surface.first_corner(faces[i] + 1); ++c)
-                       {
-                         const Index g = m_surface.neighbor(c);
-                         result.corner_neighbors[corner++] = g == Indexed_surface::no_face() ? g : m_new_face[g];
-                       }
+                         visit(corner++, c);
                    });
+  }
+
+  void select_neighbors(const std::vector<Index>& faces, Surface_arrays& result) const
+  {
+    result.corner_neighbors.resize(result.corner_begin.back());
+    for_each_corner(faces, result, [&](Index corner, Index old)
+                    {
+                      const Index g = m_surface.neighbor(old);
+                      result.corner_neighbors[corner] = g == Indexed_surface::no_face() ? g : m_new_face[g];
+                    });
   }
 
   void select_vertices(const std::vector<Index>& faces, Surface_arrays& result)
   {
     result.corner_vertices.resize(result.corner_begin.back());
-    for_each_block(faces.size(), m_is_parallel,
-                   [&](std::size_t begin, std::size_t end, std::size_t)
-                   {
-                     Index corner = result.corner_begin[begin];
-                     for (std::size_t i = begin; i < end; ++i)
-                       for (Index c = m_surface.first_corner(faces[i]); c < m_surface.first_corner(faces[i] + 1); ++c)
-                         result.corner_vertices[corner++] = m_surface.vertex(c);
-                   });
+    for_each_corner(faces, result,
+                    [&](Index corner, Index old) { result.corner_vertices[corner] = m_surface.vertex(old); });
     std::vector<Index> vertices; // of the surface, in the order of the points
     for (Index& v : result.corner_vertices)
     {
