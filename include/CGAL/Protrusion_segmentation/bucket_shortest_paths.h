@@ -78,7 +78,7 @@ public:
                     put(m_distance, path.vertex, path.distance);
                     put(m_predecessor, path.vertex, path.before);
                   },
-                  [] {}, [](const Vertex&) {});
+                  [] {});
   }
 
 private:

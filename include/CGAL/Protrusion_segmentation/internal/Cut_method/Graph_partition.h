@@ -290,7 +290,7 @@ private:
                       return end;
                     },
                     [=](const Ring::Offer& path) { distances[path.vertex] = path.distance; },
-                    [&] { visit_in_order(visit); }, [](Index) {});
+                    [&] { visit_in_order(visit); });
     for (Index node : m_reached)
       distances[node] = unreached;
     m_reached.clear();

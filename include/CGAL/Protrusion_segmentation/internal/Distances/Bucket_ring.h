@@ -40,6 +40,13 @@ struct Arc_lengths
   double mean() const { return number > 0 ? sum / static_cast<double>(number) : 0; }
 };
 
+template <typename Vertex>
+struct No_prefetch
+{
+  void vertex(const Vertex&) const {}
+  void neighbors(const Vertex&) const {}
+};
+
 // A ring of buckets in place of the heap of Dijkstra's algorithm, each as wide as the mean arc. Inside a bucket a
 // vertex may be scanned again when a shorter path to it turns up; since rounding is monotone, the distances still are
 // the smallest over all paths. On Princeton models there are 1.06 scans per face.
@@ -91,9 +98,17 @@ public:
   //   place behind them,
   // - `accept(offer)` is called where the offer still is shorter than `distance_of(vertex)`, the least that is known,
   // - `leave_bucket()` is called when the distances of all vertices whose paths were offered up to then are final,
-  // - `ask_for(vertex)` is called some vertices before one may be scanned.
-  template <typename DistanceOf, typename OfferPaths, typename Accept, typename LeaveBucket, typename AskFor>
-  void scan_all(DistanceOf distance_of, OfferPaths offer, Accept accept, LeaveBucket leave_bucket, AskFor ask_for)
+  // - `prefetch.vertex(vertex)` is called some vertices before one may be scanned, and `prefetch.neighbors(vertex)` halfway.
+  template <typename DistanceOf,
+            typename OfferPaths,
+            typename Accept,
+            typename LeaveBucket,
+            typename Prefetch = No_prefetch<Vertex>>
+  void scan_all(DistanceOf distance_of,
+                OfferPaths offer,
+                Accept accept,
+                LeaveBucket leave_bucket,
+                Prefetch prefetch = Prefetch())
   {
     // in registers, which members would not be
     const double buckets_per_unit = m_buckets_per_unit;
@@ -112,7 +127,9 @@ public:
         for (const std::size_t end = (std::min)(queue.size(), i + at_once); i < end; ++i)
         {
           if (i + vertices_ahead < queue.size())
-            ask_for(queue[i + vertices_ahead]);
+            prefetch.vertex(queue[i + vertices_ahead]);
+          if (i + vertices_ahead / 2 < queue.size())
+            prefetch.neighbors(queue[i + vertices_ahead / 2]);
           if (bucket(distance_of(queue[i])) == current) // else: scanned before, from a nearer bucket
             end_of_offers = offer(queue[i], end_of_offers);
         }
