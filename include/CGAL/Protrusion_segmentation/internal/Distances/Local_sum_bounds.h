@@ -58,14 +58,14 @@ public:
       return;
     collect_ball(tree, ball_size);
     const double radius = distances[m_ball.back()];
-    const auto is_candidate = [&](Index f)
-    { return bounds[f] >= largest && distances[f] < radius * share_of_radius; };
-    if (std::any_of(m_ball.begin(), m_ball.end(), is_candidate))
+    const auto is_in_middle = [&](Index f) { return distances[f] < radius * share_of_radius; };
+    if (std::any_of(m_ball.begin(), m_ball.end(), [&](Index f) { return bounds[f] >= largest && is_in_middle(f); }))
     {
       hang_up_faces(tree, distances, sum);
       // of a step, for differences of rounded distances up to twice the radius, times n, are added up
       m_margin = 8. * n * radius * (std::numeric_limits<double>::epsilon)();
-      lower_in_ball(Dual_arcs(arcs, m_ball, m_number_in_ball), n / ball_size * relative_work, rounding, is_candidate, bounds);
+      lower_in_ball(Dual_arcs(arcs, m_ball, m_number_in_ball), n / ball_size * relative_work, rounding,
+                    [&](Index i) { return m_bounds_in_ball[i] >= largest && is_in_middle(m_ball[i]); }, bounds);
     }
     for (Index f : m_ball)
       m_number_in_ball[f] = Indexed_surface::no_face();
@@ -119,7 +119,8 @@ private:
 
   bool is_in_ball(Index f) const { return m_number_in_ball[f] != Indexed_surface::no_face(); }
 
-  // Again and again for the candidate with the largest bound; its new bound is handed on to the whole ball.
+  // Again and again for the candidate with the largest bound, by its number in the ball; its new bound is handed on to the
+  // whole ball.
   template <typename IsCandidate>
   void lower_in_ball(Dual_arcs arcs,
                      Index number_of_runs,
@@ -130,23 +131,28 @@ private:
     Shortest_distances distances_in_ball(std::move(arcs));
     std::vector<double> distances, sums;
     std::vector<Index> open;
+    m_bounds_in_ball.clear();
     for (Index i = 0; i < m_ball.size(); ++i)
-      if (is_candidate(m_ball[i]))
+    {
+      m_bounds_in_ball.push_back(bounds[m_ball[i]]);
+      if (is_candidate(i))
         open.push_back(i);
+    }
     for (Index run = 0; run < number_of_runs && !open.empty(); ++run)
     {
       const auto widest_place = std::max_element(
-        open.begin(), open.end(), [&](Index i, Index k) { return bounds[m_ball[i]] < bounds[m_ball[k]]; });
+        open.begin(), open.end(), [&](Index i, Index k) { return m_bounds_in_ball[i] < m_bounds_in_ball[k]; });
       const Index widest = *widest_place;
       open.erase(widest_place);
       distances_in_ball(widest, distances);
       const double sum = m_hanging_sum + sum_of_terms(m_ball.size(), [&](std::size_t i) { return m_weights[i] * distances[i]; });
       hand_on(sum, distances_in_ball.tree(), distances, sums);
       for (Index i = 0; i < m_ball.size(); ++i)
-        bounds[m_ball[i]] = (std::min)(bounds[m_ball[i]], sums[i] * rounding);
-      open.erase(std::remove_if(open.begin(), open.end(), [&](Index i) { return !is_candidate(m_ball[i]); }),
-                 open.end());
+        m_bounds_in_ball[i] = (std::min)(m_bounds_in_ball[i], sums[i] * rounding);
+      open.erase(std::remove_if(open.begin(), open.end(), [&](Index i) { return !is_candidate(i); }), open.end());
     }
+    for (Index i = 0; i < m_ball.size(); ++i)
+      bounds[m_ball[i]] = m_bounds_in_ball[i];
   }
 
   // The sums of the lengths of paths along the tree from all faces of the ball, and on to what hangs on them, where
@@ -162,31 +168,31 @@ private:
       sums[i] = sum + n * distances[i];
     if (tree.order.empty())
       return;
-    collect_last_places(tree, distances.size());
-    m_weights_below = m_weights;
-    for (std::size_t k = 0; k + 1 < m_last_places.size(); ++k)
-      m_weights_below[tree.parent[m_last_places[k]]] += m_weights_below[m_last_places[k]];
-    for (std::size_t k = m_last_places.size() - 1; k-- > 0;)
+    collect_last_places(tree);
+    for (auto place = m_last_places.rbegin(); place != m_last_places.rend(); ++place)
     {
-      const Index face = m_last_places[k], parent = tree.parent[face];
+      const Index face = *place, parent = tree.parent[face];
       sums[face] = sums[parent] + (distances[face] - distances[parent]) * (n - 2 * m_weights_below[face]) + m_margin;
     }
   }
 
-  // The faces of a tree, parents behind their children.
-  void collect_last_places(const Shortest_path_tree& tree, std::size_t number_of_faces)
+  // The faces of a tree but the source, parents behind their children, and the weights below each.
+  void collect_last_places(const Shortest_path_tree& tree)
   {
     m_last_places.clear();
-    m_is_collected.assign(number_of_faces, false);
-    const Index source = tree.order.front();
+    m_is_collected.assign(m_weights.size(), 0);
+    m_weights_below = m_weights;
     bool are_parents_behind = true;
-    for (auto face = tree.order.rbegin(); face != tree.order.rend(); ++face)
-      if (!m_is_collected[*face])
-      {
-        are_parents_behind = are_parents_behind && (*face == source || !m_is_collected[tree.parent[*face]]);
-        m_is_collected[*face] = true;
-        m_last_places.push_back(*face);
-      }
+    for (std::size_t k = tree.order.size() - 1; k > 0; --k)
+    {
+      const Index face = tree.order[k];
+      if (m_is_collected[face])
+        continue;
+      m_is_collected[face] = 1;
+      m_last_places.push_back(face);
+      m_weights_below[tree.parent[face]] += m_weights_below[face];
+      are_parents_behind = are_parents_behind && !m_is_collected[tree.parent[face]];
+    }
     if (!are_parents_behind)
       sort_by_depth(tree);
   }
@@ -200,6 +206,9 @@ private:
       for (Index f = face; f != source; f = tree.parent[f])
         ++depth[face];
     std::stable_sort(m_last_places.begin(), m_last_places.end(), [&](Index f, Index g) { return depth[f] > depth[g]; });
+    m_weights_below = m_weights;
+    for (Index face : m_last_places)
+      m_weights_below[tree.parent[face]] += m_weights_below[face];
   }
 
   std::vector<Index> m_ball;           // nearest first
@@ -210,7 +219,8 @@ private:
   double m_margin = 0;
   std::vector<double> m_weights_below; // with the weights of all that is beyond on the tree
   std::vector<Index> m_last_places;    // by number in the ball
-  std::vector<bool> m_is_collected;
+  std::vector<char> m_is_collected;
+  std::vector<double> m_bounds_in_ball; // of sums, by number in the ball
 };
 
 } // namespace internal
