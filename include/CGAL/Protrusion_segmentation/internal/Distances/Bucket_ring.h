@@ -162,7 +162,7 @@ private:
     m_buckets.resize(size);
     const std::size_t most = (std::max)(arcs.most_of_a_vertex, std::size_t(1));
     m_vertices_at_once = (std::min)(most_vertices_at_once, (std::max)(most_offers / most, std::size_t(1)));
-    m_offers.resize(m_vertices_at_once * most);
+    m_offers.resize(m_vertices_at_once * most + 1);
   }
 
   // A longer ring would cost more to walk than the heap; meshes with arcs a thousand times their mean are
@@ -176,7 +176,7 @@ private:
 
   double m_buckets_per_unit = 0;
   std::vector<std::vector<Vertex>> m_buckets; // as many as a power of two
-  std::vector<Offer> m_offers;                // with room for all of the vertices that are scanned at once
+  std::vector<Offer> m_offers;                // with room for all of the vertices that are scanned at once, and for one that does not stay
   std::size_t m_vertices_at_once = 0;
   std::size_t m_number_of_sources = 0;
 };
