@@ -182,9 +182,7 @@ public:
     return internal::polygon_area_vector(Corners{*this, face});
   }
 
-private:
-  using Corners = internal::Corners_of_face<Indexed_surface>;
-
+#ifndef DOXYGEN_RUNNING
   bool has_triangles_only() const
   {
     for (std::size_t f = 0; f + 1 < m_corner_begin.size(); ++f)
@@ -192,6 +190,10 @@ private:
         return false;
     return true;
   }
+#endif
+
+private:
+  using Corners = internal::Corners_of_face<Indexed_surface>;
 
   void measure_face(Index f)
   {

@@ -176,7 +176,7 @@ private:
 
   double m_buckets_per_unit = 0;
   std::vector<std::vector<Vertex>> m_buckets; // as many as a power of two
-  std::vector<Offer> m_offers;                // with room for all of the vertices that are scanned at once, and for one that does not stay
+  std::vector<Offer> m_offers;                // of the vertices that are scanned at once, and one that does not stay
   std::size_t m_vertices_at_once = 0;
   std::size_t m_number_of_sources = 0;
 };

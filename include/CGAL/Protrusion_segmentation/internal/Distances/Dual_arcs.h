@@ -22,7 +22,7 @@ namespace internal {
 
 // The face dual graph as shortest paths read it: what is known of an arc lies in one place.
 //
-// If no face has more than three arcs, each has three places for them, so that neither where they begin nor how many there
+// If all faces are triangles, each has three places for them, so that neither where they begin nor how many there
 // are must be looked up, and a loop over them is none: the paper's method takes 5 % less time with twenty thousand faces, and
 // a tenth with a million. A place without an arc leads from the face to itself, which shortens no path.
 class Dual_arcs
@@ -51,10 +51,7 @@ public:
 
   explicit Dual_arcs(const Indexed_surface& surface)
   {
-    bool has_more_corners = false;
-    for (Index f = 0; f < surface.number_of_faces(); ++f)
-      has_more_corners = has_more_corners || surface.first_corner(f + 1) - surface.first_corner(f) > 3;
-    add_faces(surface.number_of_faces(), !has_more_corners, surface.number_of_corners(),
+    add_faces(surface.number_of_faces(), surface.has_triangles_only(), surface.number_of_corners(),
               [&](Index f, auto add)
               {
                 const Indexed_surface::Point_3 centroid = surface.centroid(f);
@@ -76,7 +73,10 @@ public:
               });
   }
 
-  Index number_of_faces() const { return m_number_of_faces; }
+  Index number_of_faces() const
+  {
+    return static_cast<Index>(has_three_places() ? m_three_places.size() : m_first.size() - 1);
+  }
   boost::iterator_range<const Arc*> operator[](Index face) const
   {
     if (!has_three_places())
@@ -125,7 +125,6 @@ private:
   template <typename ForEachArc>
   void add_faces(Index number_of_faces, bool three_places, std::size_t most_arcs, ForEachArc for_each_arc)
   {
-    m_number_of_faces = number_of_faces;
     if (three_places)
     {
       m_three_places.reserve(number_of_faces);
@@ -148,7 +147,6 @@ private:
     }
   }
 
-  Index m_number_of_faces = 0;
   std::vector<Three_arcs> m_three_places;
   std::vector<Index> m_first; // in m_arcs of every face, and the end; empty if there are three places for each
   std::vector<Arc> m_arcs;
