@@ -102,6 +102,32 @@ void same_face_as_all_pairs_where_sums_tie()
   }
 }
 
+// Two at a time are visited where there are more than four thousand faces.
+void same_face_as_all_pairs_on_larger_surfaces()
+{
+  for (const Test_mesh& mesh : {bumpy_sphere(4, 1), icosphere(4), star(5)})
+    check_same_face(mesh);
+}
+
+// Also where visits are limited: then it is the best of those that were visited.
+void the_number_of_threads_does_not_matter()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  Execution parallel(0, true);
+  for (const Test_mesh& mesh : {bumpy_sphere(2, 1), bumpy_sphere(5, 2), star(5), creature()})
+    for (const std::size_t most : {1, 2, 5, 8, 1000})
+    {
+      const Indexed_surface surface = to_surface(mesh);
+      const Geodesic_distance distance = Geodesic_distance().maximum_number_of_visits(most);
+      auto expected = distance.on(surface, quiet_execution());
+      auto found = distance.on(surface, parallel);
+      CHECK_EQUAL(found.face_of_largest_sum(), expected.face_of_largest_sum());
+      CHECK_EQUAL(found.number_of_runs(), expected.number_of_runs());
+      CHECK(found.number_of_runs() <= most);
+    }
+#endif
+}
+
 // On a line many paths are equally long but for rounding. What a face hands on may not get shorter when its own path does,
 // so that it is scanned after the faces beyond it.
 void same_face_as_all_pairs_where_paths_tie()
@@ -225,6 +251,8 @@ int main()
   all_pairs_take_the_lowest_of_the_largest_sums();
   same_face_as_all_pairs_on_random_surfaces();
   same_face_as_all_pairs_where_sums_tie();
+  same_face_as_all_pairs_on_larger_surfaces();
+  the_number_of_threads_does_not_matter();
   same_face_as_all_pairs_where_paths_tie();
   faces_in_one_point_need_one_run();
   the_number_of_visits_can_be_limited();

@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_VALIDATION_H
 
 #include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/small_components.h>
 
 #include <CGAL/Named_function_parameters.h>

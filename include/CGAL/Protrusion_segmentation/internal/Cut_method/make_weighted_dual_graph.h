@@ -12,6 +12,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/rounded_normals.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/smooth_normals.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 
 #include <algorithm>
 #include <cmath>
@@ -69,18 +70,17 @@ public:
       m_policy(policy),
       m_execution(execution),
       m_graph(graph),
-      m_unit(surface.area() > 0 ? std::sqrt(surface.area()) : 1),
-      m_centre(centroid(surface))
+      m_unit(surface.area() > 0 ? std::sqrt(surface.area()) : 1)
   {
     m_graph.length_of_angle = policy.length_of_angle();
-    m_graph.is_flat = is_flat(surface);
+    m_graph.is_flat = is_flat(surface, execution.is_parallel());
     m_outward = !m_graph.is_flat && signed_volume(surface, execution.is_parallel()) < 0 ? -1 : 1;
   }
 
   // All but curvatures and capacities.
   void measure()
   {
-    number_arcs();
+    call_both(m_execution.is_parallel(), [this] { number_arcs(); }, [this] { m_centre = centroid(m_surface); });
     for_each_face([this](Index f) { measure(f); });
   }
 
@@ -189,7 +189,7 @@ private:
   Execution& m_execution;
   Weighted_dual_graph& m_graph;
   double m_unit;
-  Indexed_surface::Point_3 m_centre;
+  Indexed_surface::Point_3 m_centre = Indexed_surface::Point_3(0, 0, 0);
   double m_outward;
 };
 

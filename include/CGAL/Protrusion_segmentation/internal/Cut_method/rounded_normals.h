@@ -9,27 +9,34 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/smooth_normals.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-inline Indexed_surface::Vector_3 area_vector(const Indexed_surface& surface)
+inline Indexed_surface::Vector_3 area_vector(const Indexed_surface& surface, bool is_parallel = false)
 {
-  Indexed_surface::Vector_3 sum(0, 0, 0);
-  for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
-    sum += surface.area_vector(f);
-  return sum;
+  return add_blocks(surface.number_of_faces(), is_parallel, Indexed_surface::Vector_3(0, 0, 0),
+                    [&](std::size_t begin, std::size_t end)
+                    {
+                      Indexed_surface::Vector_3 sum(0, 0, 0);
+                      for (std::size_t f = begin; f < end; ++f)
+                        sum += surface.area_vector(static_cast<Indexed_surface::Index>(f));
+                      return sum;
+                    });
 }
 
 // Whether all faces of a surface have the same normal: a sheet cut out of a plane.
-inline bool is_flat(const Indexed_surface& surface)
+inline bool is_flat(const Indexed_surface& surface, bool is_parallel = false)
 {
   // Of the area, what may be lost when it is seen from the front: normals differ by less than a tenth of a degree.
   constexpr double largest_loss = 1e-6;
-  return surface.area() > 0 && std::sqrt(area_vector(surface).squared_length()) >= (1 - largest_loss) * surface.area();
+  return surface.area() > 0 &&
+         std::sqrt(area_vector(surface, is_parallel).squared_length()) >= (1 - largest_loss) * surface.area();
 }
 
 // Normals of a flat surface as if it were rounded off towards its border: there they lean outwards, the less the farther

@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_DUAL_ARCS_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 
 #include <boost/range/iterator_range.hpp>
 
@@ -49,9 +50,9 @@ public:
   };
   using Three_arcs = std::array<Arc, 3>;
 
-  explicit Dual_arcs(const Indexed_surface& surface)
+  explicit Dual_arcs(const Indexed_surface& surface, bool is_parallel = false)
   {
-    add_faces(surface.number_of_faces(), surface.has_triangles_only(), surface.number_of_corners(),
+    add_faces(surface.number_of_faces(), surface.has_triangles_only(), surface.number_of_corners(), is_parallel,
               [&](Index f, auto add)
               {
                 const Indexed_surface::Point_3 centroid = surface.centroid(f);
@@ -64,7 +65,7 @@ public:
   // The arcs between some faces, where `numbers` has the place of each among them, or else `no_face()`.
   Dual_arcs(const Dual_arcs& all, const std::vector<Index>& faces, const std::vector<Index>& numbers)
   {
-    add_faces(static_cast<Index>(faces.size()), all.has_three_places(), 3 * faces.size(),
+    add_faces(static_cast<Index>(faces.size()), all.has_three_places(), 3 * faces.size(), false,
               [&](Index i, auto add)
               {
                 for (const Arc& arc : all[faces[i]])
@@ -123,20 +124,10 @@ public:
 private:
   // `for_each_arc(f, add)` calls `add(arc)` for every arc of a face.
   template <typename ForEachArc>
-  void add_faces(Index number_of_faces, bool three_places, std::size_t most_arcs, ForEachArc for_each_arc)
+  void add_faces(Index number_of_faces, bool three_places, std::size_t most_arcs, bool is_parallel, ForEachArc for_each_arc)
   {
     if (three_places)
-    {
-      m_three_places.reserve(number_of_faces);
-      for (Index f = 0; f < number_of_faces; ++f)
-      {
-        const Arc none(f, 0);
-        m_three_places.push_back({none, none, none});
-        auto place = m_three_places.back().begin();
-        for_each_arc(f, [&](const Arc& arc) { *place++ = arc; });
-      }
-      return;
-    }
+      return fill_three_places(number_of_faces, is_parallel, for_each_arc);
     m_first.reserve(number_of_faces + std::size_t(1));
     m_first.push_back(0);
     m_arcs.reserve(most_arcs);
@@ -145,6 +136,23 @@ private:
       for_each_arc(f, [this](const Arc& arc) { m_arcs.push_back(arc); });
       m_first.push_back(static_cast<Index>(m_arcs.size()));
     }
+  }
+
+  template <typename ForEachArc>
+  void fill_three_places(Index number_of_faces, bool is_parallel, ForEachArc for_each_arc)
+  {
+    const auto all = [](const Arc& arc) { return Three_arcs{arc, arc, arc}; };
+    m_three_places.resize(number_of_faces, all(Arc(0, 0)));
+    for_each_block(number_of_faces, is_parallel,
+                   [&](std::size_t begin, std::size_t end, std::size_t)
+                   {
+                     for (Index f = static_cast<Index>(begin); f < end; ++f)
+                     {
+                       m_three_places[f] = all(Arc(f, 0));
+                       auto place = m_three_places[f].begin();
+                       for_each_arc(f, [&](const Arc& arc) { *place++ = arc; });
+                     }
+                   });
   }
 
   std::vector<Three_arcs> m_three_places;

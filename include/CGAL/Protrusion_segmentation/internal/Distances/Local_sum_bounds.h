@@ -7,7 +7,8 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/sum_of_terms.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Sums_in_ball.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,6 +19,19 @@
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
+
+// Faces around one, as they were scanned, and new upper bounds of their sums.
+struct Bounds_in_ball
+{
+  std::vector<Indexed_surface::Index> faces;
+  std::vector<double> bounds;
+
+  void clear()
+  {
+    faces.clear();
+    bounds.clear();
+  }
+};
 
 // Upper bounds of the sums of eq. (1) for the faces around a visited one, far closer than the triangle
 // inequality and at the cost of a small neighbourhood.
@@ -37,37 +51,48 @@ class Local_sum_bounds
 public:
   using Index = Indexed_surface::Index;
 
-  explicit Local_sum_bounds(Index number_of_faces)
-    : m_number_in_ball(number_of_faces, Indexed_surface::no_face()),
+  explicit Local_sum_bounds(Index number_of_faces, bool is_parallel = false)
+    : m_is_parallel(is_parallel),
+      m_number_in_ball(number_of_faces, Indexed_surface::no_face()),
       m_holder(number_of_faces)
   {}
 
   // Lowers the bounds around the source of `tree` and `distances`, whose sum is `sum`, where they reach `largest`, the
-  // largest sum found so far. Every computed bound is multiplied by `rounding`. All faces must have been reached.
+  // largest sum found so far. `bound_of(f)`: what is known before. Every computed bound is multiplied by `rounding`. All faces
+  // must have been reached.
+  template <typename BoundOf>
   void lower(const Dual_arcs& arcs,
              const Shortest_path_tree& tree,
              const std::vector<double>& distances,
              double sum,
              double largest,
              double rounding,
-             std::vector<double>& bounds)
+             BoundOf bound_of,
+             Bounds_in_ball& result)
   {
     const Index n = static_cast<Index>(distances.size());
     const Index ball_size = (std::max)(n / ball_share, (std::min)(n / 2, least_ball_size));
     if (ball_size == 0)
       return;
-    collect_ball(tree, ball_size);
-    const double radius = distances[m_ball.back()];
-    const auto is_in_middle = [&](Index f) { return distances[f] < radius * share_of_radius; };
-    if (std::any_of(m_ball.begin(), m_ball.end(), [&](Index f) { return bounds[f] >= largest && is_in_middle(f); }))
+    collect_ball(tree, ball_size, result.faces);
+    for (Index f : result.faces)
+      result.bounds.push_back(bound_of(f));
+    const double radius = distances[result.faces.back()];
+    const auto is_candidate = [&](Index i)
+    { return result.bounds[i] >= largest && distances[result.faces[i]] < radius * share_of_radius; };
+    std::vector<Index> candidates;
+    for (Index i = 0; i < ball_size; ++i)
+      if (is_candidate(i))
+        candidates.push_back(i);
+    if (!candidates.empty())
     {
-      hang_up_faces(tree, distances, sum);
+      hang_up_faces(tree, distances, sum, result.faces);
       // of a step, for differences of rounded distances up to twice the radius, times n, are added up
-      m_margin = 8. * n * radius * (std::numeric_limits<double>::epsilon)();
-      lower_in_ball(Dual_arcs(arcs, m_ball, m_number_in_ball), n / ball_size * relative_work, rounding,
-                    [&](Index i) { return m_bounds_in_ball[i] >= largest && is_in_middle(m_ball[i]); }, bounds);
+      m_hanging.margin = 8. * n * radius * (std::numeric_limits<double>::epsilon)();
+      lower_in_ball(Dual_arcs(arcs, result.faces, m_number_in_ball), n / ball_size * relative_work, rounding, is_candidate,
+                    std::move(candidates), result.bounds);
     }
-    for (Index f : m_ball)
+    for (Index f : result.faces)
       m_number_in_ball[f] = Indexed_surface::no_face();
   }
 
@@ -80,32 +105,38 @@ private:
   static constexpr double share_of_radius = 0.5;
   // ... and for no more faces than twice the work of the full run pays for.
   static constexpr Index relative_work = 2;
+  // In a large ball two runs at once, whatever the number of threads, so that bounds do not depend on it: 6 % more runs than
+  // one after the other, and on a million faces 2 %. In a small one they take less time than to share them.
+  static constexpr Index large_ball_size = 4096;
 
-  void collect_ball(const Shortest_path_tree& tree, Index size)
+  void collect_ball(const Shortest_path_tree& tree, Index size, std::vector<Index>& ball)
   {
-    m_ball.clear();
-    for (std::size_t i = 0; m_ball.size() < size; ++i)
+    for (std::size_t i = 0; ball.size() < size; ++i)
     {
       Index& number = m_number_in_ball[tree.order[i]];
       if (number != Indexed_surface::no_face()) // scanned again
         continue;
-      number = static_cast<Index>(m_ball.size());
-      m_ball.push_back(tree.order[i]);
+      number = static_cast<Index>(ball.size());
+      ball.push_back(tree.order[i]);
     }
   }
 
   // The weights w(p), and D: by as much as what p hangs by is nearer the sum is smaller.
-  void hang_up_faces(const Shortest_path_tree& tree, const std::vector<double>& distances, double sum)
+  void hang_up_faces(const Shortest_path_tree& tree,
+                     const std::vector<double>& distances,
+                     double sum,
+                     const std::vector<Index>& ball)
   {
     m_holder.assign(m_holder.size(), Indexed_surface::no_face());
     for (Index f : tree.order)
       m_holder[f] = is_in_ball(f) ? m_number_in_ball[f] : m_holder[tree.parent[f]];
-    m_weights.assign(m_ball.size(), 0);
+    m_hanging.number = static_cast<double>(distances.size());
+    m_hanging.weights.assign(ball.size(), 0);
     for (Index f = 0; f < distances.size(); ++f)
-      m_weights[find_holder(f, tree)] += 1;
-    m_hanging_sum = sum;
-    for (Index i = 0; i < m_ball.size(); ++i)
-      m_hanging_sum -= m_weights[i] * distances[m_ball[i]];
+      m_hanging.weights[find_holder(f, tree)] += 1;
+    m_hanging.sum = sum;
+    for (Index i = 0; i < ball.size(); ++i)
+      m_hanging.sum -= m_hanging.weights[i] * distances[ball[i]];
   }
 
   // By its number in the ball. A face may have been scanned before its parent: then what it hangs on was not known yet.
@@ -119,108 +150,50 @@ private:
 
   bool is_in_ball(Index f) const { return m_number_in_ball[f] != Indexed_surface::no_face(); }
 
-  // Again and again for the candidate with the largest bound, by its number in the ball; its new bound is handed on to the
-  // whole ball.
+  // Again and again for the candidates with the largest bounds, by their numbers in the ball; new bounds are handed on to
+  // the whole ball.
   template <typename IsCandidate>
   void lower_in_ball(Dual_arcs arcs,
                      Index number_of_runs,
                      double rounding,
                      IsCandidate is_candidate,
-                     std::vector<double>& bounds)
+                     std::vector<Index> candidates,
+                     std::vector<double>& bounds) const
   {
-    Shortest_distances distances_in_ball(std::move(arcs));
-    std::vector<double> distances, sums;
-    std::vector<Index> open;
-    m_bounds_in_ball.clear();
-    for (Index i = 0; i < m_ball.size(); ++i)
+    const std::size_t runs_at_once = bounds.size() >= large_ball_size ? 2 : 1;
+    std::vector<Sums_in_ball> sums_in_ball(runs_at_once, Sums_in_ball(Shortest_distances(std::move(arcs)), m_hanging));
+    for (std::size_t run = 0; run < number_of_runs && !candidates.empty(); run += runs_at_once)
     {
-      m_bounds_in_ball.push_back(bounds[m_ball[i]]);
-      if (is_candidate(i))
-        open.push_back(i);
-    }
-    for (Index run = 0; run < number_of_runs && !open.empty(); ++run)
-    {
-      const auto widest_place = std::max_element(
-        open.begin(), open.end(), [&](Index i, Index k) { return m_bounds_in_ball[i] < m_bounds_in_ball[k]; });
-      const Index widest = *widest_place;
-      open.erase(widest_place);
-      distances_in_ball(widest, distances);
-      const double sum = m_hanging_sum + sum_of_terms(m_ball.size(), [&](std::size_t i) { return m_weights[i] * distances[i]; });
-      hand_on(sum, distances_in_ball.tree(), distances, sums);
-      for (Index i = 0; i < m_ball.size(); ++i)
-        m_bounds_in_ball[i] = (std::min)(m_bounds_in_ball[i], sums[i] * rounding);
-      open.erase(std::remove_if(open.begin(), open.end(), [&](Index i) { return !is_candidate(i); }), open.end());
-    }
-    for (Index i = 0; i < m_ball.size(); ++i)
-      bounds[m_ball[i]] = m_bounds_in_ball[i];
-  }
-
-  // The sums of the lengths of paths along the tree from all faces of the ball, and on to what hangs on them, where
-  // `sum` is that of the source: a step away from it comes nearer to the weight below and goes away from the rest.
-  void hand_on(double sum,
-               const Shortest_path_tree& tree,
-               const std::vector<double>& distances,
-               std::vector<double>& sums)
-  {
-    const double n = static_cast<double>(m_number_in_ball.size());
-    sums.resize(distances.size());
-    for (std::size_t i = 0; i < distances.size(); ++i)
-      sums[i] = sum + n * distances[i];
-    if (tree.order.empty())
-      return;
-    collect_last_places(tree);
-    for (auto place = m_last_places.rbegin(); place != m_last_places.rend(); ++place)
-    {
-      const Index face = *place, parent = tree.parent[face];
-      sums[face] = sums[parent] + (distances[face] - distances[parent]) * (n - 2 * m_weights_below[face]) + m_margin;
+      const std::vector<Index> widest = take_widest(candidates, runs_at_once, bounds);
+      for_each_index(widest.size(), m_is_parallel && runs_at_once > 1, [&](std::size_t k) { sums_in_ball[k](widest[k]); });
+      for (std::size_t k = 0; k < widest.size(); ++k)
+        for (Index i = 0; i < bounds.size(); ++i)
+          bounds[i] = (std::min)(bounds[i], sums_in_ball[k].sums()[i] * rounding);
+      candidates.erase(std::remove_if(candidates.begin(), candidates.end(), [&](Index i) { return !is_candidate(i); }),
+                       candidates.end());
     }
   }
 
-  // The faces of a tree but the source, parents behind their children, and the weights below each.
-  void collect_last_places(const Shortest_path_tree& tree)
+  // Takes up to `number` of the candidates out.
+  static std::vector<Index> take_widest(std::vector<Index>& candidates,
+                                        std::size_t number,
+                                        const std::vector<double>& bounds)
   {
-    m_last_places.clear();
-    m_is_collected.assign(m_weights.size(), 0);
-    m_weights_below = m_weights;
-    bool are_parents_behind = true;
-    for (std::size_t k = tree.order.size() - 1; k > 0; --k)
+    std::vector<Index> result;
+    while (result.size() < number && !candidates.empty())
     {
-      const Index face = tree.order[k];
-      if (m_is_collected[face])
-        continue;
-      m_is_collected[face] = 1;
-      m_last_places.push_back(face);
-      m_weights_below[tree.parent[face]] += m_weights_below[face];
-      are_parents_behind = are_parents_behind && !m_is_collected[tree.parent[face]];
+      const auto widest = std::max_element(candidates.begin(), candidates.end(),
+                                           [&](Index i, Index k) { return bounds[i] < bounds[k]; });
+      result.push_back(*widest);
+      candidates.erase(widest);
     }
-    if (!are_parents_behind)
-      sort_by_depth(tree);
+    return result;
   }
 
-  // The deepest first; rare enough to take the time to walk to the source from every face.
-  void sort_by_depth(const Shortest_path_tree& tree)
-  {
-    const Index source = tree.order.front();
-    std::vector<Index> depth(m_is_collected.size());
-    for (Index face : m_last_places)
-      for (Index f = face; f != source; f = tree.parent[f])
-        ++depth[face];
-    std::stable_sort(m_last_places.begin(), m_last_places.end(), [&](Index f, Index g) { return depth[f] > depth[g]; });
-    m_weights_below = m_weights;
-    for (Index face : m_last_places)
-      m_weights_below[tree.parent[face]] += m_weights_below[face];
-  }
-
-  std::vector<Index> m_ball;           // nearest first
+  bool m_is_parallel;
   std::vector<Index> m_number_in_ball; // of every face
   std::vector<Index> m_holder;         // p(j) of every face j by number in the ball
-  std::vector<double> m_weights;       // w(p) by number in the ball
-  double m_hanging_sum = 0;            // D
-  double m_margin = 0;
-  std::vector<double> m_weights_below; // with the weights of all that is beyond on the tree
-  std::vector<Index> m_last_places;    // by number in the ball
-  std::vector<char> m_is_collected;
-  std::vector<double> m_bounds_in_ball; // of sums, by number in the ball
+  Hanging_faces m_hanging;
 };
 
 } // namespace internal

@@ -49,7 +49,10 @@ public:
   using Graph = Indexed_surface::Dual_graph;
   static constexpr double unreachable() { return (std::numeric_limits<double>::infinity)(); }
 
-  explicit Shortest_distances(const Indexed_surface& surface) : Shortest_distances(Dual_arcs(surface)) {}
+  // `is_parallel`: whether several threads prepare it
+  explicit Shortest_distances(const Indexed_surface& surface, bool is_parallel = false)
+    : Shortest_distances(Dual_arcs(surface, is_parallel))
+  {}
 
   explicit Shortest_distances(Dual_arcs arcs)
     : m_arcs(std::make_shared<const Dual_arcs>(std::move(arcs))), m_ring(ring_for(*m_arcs))

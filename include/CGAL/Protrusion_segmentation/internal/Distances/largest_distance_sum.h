@@ -7,45 +7,23 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Face_visitor.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Joint_sum_bounds.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/Local_sum_bounds.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <deque>
 #include <limits>
+#include <optional>
 #include <queue>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
-
-// Of the distances from a face.
-struct Sum_and_longest
-{
-  double sum = 0; // of eq. (1), in a fixed order
-  double longest = 0;
-};
-
-// Both in one go: while one addition waits for the one before, the processor compares.
-inline Sum_and_longest sum_and_longest(const std::vector<double>& distances)
-{
-  Sum_and_longest result;
-  for (double d : distances)
-  {
-    result.sum += d;
-    result.longest = (std::max)(result.longest, d);
-  }
-  return result;
-}
-
-inline double distance_sum(const std::vector<double>& distances)
-{
-  return sum_and_longest(distances).sum;
-}
 
 // The face with the largest sum of distances to all faces, eq. (1), the lowest face where several share
 // it, by one distance computation per face: the reference, and the way for distances that are no metric.
@@ -72,18 +50,14 @@ Indexed_surface::Index largest_distance_sum_of_all_pairs(const Indexed_surface& 
   return best;
 }
 
-template <typename Distances, typename = void>
-struct Has_shortest_path_tree : std::false_type {};
-
-template <typename Distances>
-struct Has_shortest_path_tree<Distances, std::void_t<decltype(std::declval<Distances&>().tree())>>
-  : std::true_type {};
-
 // The same face for a metric, in a handful of distance computations.
 //
 // By the triangle inequality S(i) <= S(l) + N d(i, l), where S(i) is the sum for face i and N the number of
 // faces. The smallest of these bounds over all faces l visited so far is kept for every face; the face with
 // the largest bound is visited next, until no bound reaches the largest sum found.
+//
+// Another face with a large bound, far from that one, is visited at the same time: on 97 Princeton models there are 23 % fewer
+// rounds, 5 % more visits, and a third fewer bounds to be sharpened. With any number of threads, since visits may be limited.
 //
 // Where the distances are those of shortest paths, Local_sum_bounds sharpens the bounds around each visited face, and
 // Joint_sum_bounds that of each face that would be visited, which mostly rules it out and faces around it. Other
@@ -102,28 +76,42 @@ public:
     : m_surface(surface),
       m_number_of_faces(surface.number_of_faces()),
       m_rounding(1 + 16. * m_number_of_faces * (std::numeric_limits<double>::epsilon)()),
-      m_distances(distances),
       m_execution(execution),
+      m_visits_at_once(has_tree && m_number_of_faces >= least_faces_for_two ? 2 : 1),
       m_bounds(surface.number_of_faces(), (std::numeric_limits<double>::infinity)()),
       m_sharpened_with(surface.number_of_faces(), 0),
-      m_joint_bounds(surface.number_of_faces()),
-      m_local_bounds(surface.number_of_faces())
-  {}
+      m_joint_bounds(surface.number_of_faces())
+  {
+    m_visitors.emplace_back(distances, m_number_of_faces, m_rounding, execution.is_parallel());
+    if constexpr (has_tree)
+      if (execution.is_parallel() && m_visits_at_once > 1)
+      {
+        m_other_distances.emplace(distances);
+        m_visitors.emplace_back(*m_other_distances, m_number_of_faces, m_rounding, true);
+      }
+  }
 
   // Visits up to `maximum_number_of_visits` faces; returns the best of them.
   Index operator()(std::size_t maximum_number_of_visits)
   {
-    Index next = 0;
-    for (std::size_t i = 0; i < maximum_number_of_visits && next < m_number_of_faces; ++i)
+    constexpr std::size_t round_of_middle = 2;
+    std::vector<Index> next = {0};
+    for (std::size_t round = 0; m_number_of_visits < maximum_number_of_visits && !next.empty(); ++round)
     {
-      // how many visits there will be is not known; most surfaces need about ten
-      m_execution.progress(static_cast<double>(i) / static_cast<double>(i + 20));
-      visit(i == 2 ? middle_or(next) : next);
+      // how many rounds there will be is not known; most surfaces need about ten
+      m_execution.progress(static_cast<double>(round) / static_cast<double>(round + 20));
+      if (round == round_of_middle)
+        next.front() = middle_or(next.front());
+      next.resize((std::min)(next.size(), maximum_number_of_visits - m_number_of_visits));
+      visit(next);
       next = most_promising();
     }
-    m_bound = next < m_number_of_faces ? m_bounds[next] : m_largest;
+    m_bound = next.empty() ? m_largest : m_bounds[next.front()];
     return m_best;
   }
+
+  // each a run of the distances, or of a copy of them
+  std::size_t number_of_visits() const { return m_number_of_visits; }
 
   // By how much another face may do better, relative to the sum of the face that was returned; 0 if the
   // search came to its end.
@@ -137,8 +125,13 @@ private:
   static constexpr Index faces_per_sharpened_bound = 50;
   static constexpr Index least_sharpened_bounds = 16;
 
-  // In place of the bound of a face that was visited: below all sums.
-  static constexpr double visited = -1;
+  static constexpr bool has_tree = Has_shortest_path_tree<Distances>::value;
+  // Where a visit takes less time than to wake a thread up, faces are visited one by one. With 1 in place of it two threads take
+  // as long on Princeton models, and there are 6 % more runs for a face, with 8192 they take longer.
+  static constexpr Index least_faces_for_two = 4096;
+  // Of faces that are visited at the same time, relative to the longest distance from the first face of all. With .05 there are
+  // 2 % more visits and 1 % fewer rounds, with .2 1 % fewer visits and 2 % more rounds.
+  static constexpr double least_separation = 0.1;
 
   // Of a block of faces the one with the largest bound, when it was put into a heap. With blocks of 32 or 128 faces it takes
   // the same time.
@@ -154,26 +147,47 @@ private:
     }
   };
 
-  void visit(Index face)
+  // At the same time, each by what is known before.
+  void visit(const std::vector<Index>& faces)
   {
-    m_distances(face, m_from_face);
-    const auto [sum, longest] = sum_and_longest(m_from_face);
-    for (Index f = 0; f < m_number_of_faces; ++f)
-      m_bounds[f] = (std::min)(m_bounds[f], (sum + m_number_of_faces * m_from_face[f]) * m_rounding);
-    m_bounds[face] = visited;
-    const bool is_better = sum > m_largest || (sum == m_largest && face < m_best);
-    m_largest = (std::max)(m_largest, sum);
-    if constexpr (has_tree)
-      if (std::isfinite(sum) && !m_distances.tree().order.empty())
-      {
-        m_joint_bounds.add(m_from_face, longest);
-        m_local_bounds.lower(m_distances.arcs(), m_distances.tree(), m_from_face, sum, m_largest, m_rounding, m_bounds);
-      }
-    if (is_better)
+    m_visited.resize(faces.size());
+    for_each_index(faces.size(), m_execution.is_parallel() && faces.size() > 1,
+                   [&](std::size_t i)
+                   { m_visitors[i % m_visitors.size()](faces[i], m_bounds, m_largest, m_visited[i]); });
+    for (Visited_face& face : m_visited)
+      take_into_account(face);
+  }
+
+  void take_into_account(Visited_face& visit)
+  {
+    if (m_number_of_visits++ == 0)
+      m_longest = visit.of_face.longest;
+    lower_bounds(visit);
+    const double sum = visit.of_face.sum;
+    if (sum > m_largest || (sum == m_largest && visit.face < m_best))
     {
-      m_best = face;
-      std::swap(m_from_face, m_from_best);
+      m_best = visit.face;
+      std::swap(visit.distances, m_from_best);
     }
+    m_largest = (std::max)(m_largest, sum);
+  }
+
+  void lower_bounds(const Visited_face& visit)
+  {
+    for_each_block(m_number_of_faces, m_execution.is_parallel(),
+                   [&](std::size_t begin, std::size_t end, std::size_t)
+                   {
+                     for (Index f = static_cast<Index>(begin); f < end; ++f)
+                       m_bounds[f] = (std::min)(m_bounds[f], visit.bound(f, m_rounding));
+                   });
+    for (std::size_t i = 0; i < visit.around.faces.size(); ++i)
+    {
+      double& bound = m_bounds[visit.around.faces[i]];
+      bound = (std::min)(bound, visit.around.bounds[i]);
+    }
+    m_bounds[visit.face] = visited;
+    if (visit.has_paths)
+      m_joint_bounds.add(visit.distances, visit.of_face.longest);
   }
 
   bool is_visited(Index face) const { return m_bounds[face] == visited; }
@@ -193,21 +207,28 @@ private:
     return m_bounds[f] > m_largest || (m_bounds[f] == m_largest && f < m_best);
   }
 
-  // The face with the largest bound, the lowest one among equals; none if no sum can exceed the largest one found.
-  // Bounds are sharpened from the largest one down, until the largest one is sharp or too much time has passed.
-  Index most_promising()
+  // The face with the largest bound, the lowest one among equals, and another one far from it; none if no sum can exceed the
+  // largest one found. Bounds are sharpened from the largest one down, until the largest one is sharp or too much time has
+  // passed.
+  std::vector<Index> most_promising()
   {
     m_candidates = {};
     for (Index begin = 0; begin < m_number_of_faces; begin += faces_of_block)
       add_best_of_block(begin);
     Index rest = m_number_of_faces / faces_per_sharpened_bound + least_sharpened_bounds;
-    while (!m_candidates.empty())
+    std::vector<Index> result;
+    while (!m_candidates.empty() && result.size() < m_visits_at_once)
     {
       const Candidate next = m_candidates.top();
-      const bool is_of_now = next.bound == m_bounds[next.face] && is_open(next.face);
-      if (is_of_now && (is_sharpened(next.face) || rest == 0))
-        return next.face;
       m_candidates.pop();
+      const bool is_of_now = next.bound == m_bounds[next.face] && is_open(next.face);
+      if (is_of_now && !result.empty() && m_surface.arc_length(result.front(), next.face) < least_separation * m_longest)
+        continue; // nor is the rest of its block far
+      if (is_of_now && (is_sharpened(next.face) || rest == 0))
+      {
+        result.push_back(next.face);
+        continue;
+      }
       if (is_of_now)
       {
         sharpen(next.face);
@@ -215,7 +236,7 @@ private:
       }
       add_best_of_block(next.face / faces_of_block * faces_of_block);
     }
-    return m_number_of_faces;
+    return result;
   }
 
   // If any face of it is open.
@@ -264,23 +285,24 @@ private:
     }
   }
 
-  static constexpr bool has_tree = Has_shortest_path_tree<Distances>::value;
-
   const Indexed_surface& m_surface;
   Index m_number_of_faces;
   double m_rounding;
-  Distances& m_distances;
   Execution& m_execution;
+  std::size_t m_visits_at_once; // at most
+  std::optional<Distances> m_other_distances; // a copy, for another thread
+  std::deque<Face_visitor<Distances>> m_visitors;
+  std::vector<Visited_face> m_visited; // in this round
+  std::size_t m_number_of_visits = 0;
   std::vector<double> m_bounds;
   std::vector<unsigned char> m_sharpened_with; // how many sources
   Joint_sum_bounds m_joint_bounds;
-  Local_sum_bounds m_local_bounds;
   std::priority_queue<Candidate> m_candidates; // one of each block with any
   std::vector<Index> m_ruled_out;
-  std::vector<double> m_from_face;
   std::vector<double> m_from_best;
   Index m_best = 0;
   double m_largest = -1;
+  double m_longest = 0; // from the first face
   double m_bound = -1;
 };
 

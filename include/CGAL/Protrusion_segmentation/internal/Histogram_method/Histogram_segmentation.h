@@ -45,7 +45,7 @@ public:
       m_conditions(conditions),
       m_execution(execution),
       m_observer(execution.observer()),
-      m_extract(surface),
+      m_extract(surface, execution.is_parallel()),
       m_segments(surface)
   {
     for (std::size_t s = 0; s < m_segments.number_of_segments(); ++s)

@@ -126,7 +126,9 @@ class Segment_extractor
 public:
   using Index = Indexed_surface::Index;
 
-  explicit Segment_extractor(const Indexed_surface& surface) : m_surface(surface), m_select(surface) {}
+  explicit Segment_extractor(const Indexed_surface& surface, bool is_parallel = false)
+    : m_surface(surface), m_is_parallel(is_parallel), m_select(surface, is_parallel)
+  {}
 
   // The segment with the given faces, numbered in the given order.
   Extracted_segment operator()(std::vector<Index> faces)
@@ -140,11 +142,12 @@ public:
         if (arrays.neighbor(c) != m_surface.neighbor(old) && arrays.neighbor(c) == Indexed_surface::no_face())
           is_on_cut[i] = true;
     }
-    return {std::move(arrays).to_surface(), std::move(faces), std::move(is_on_cut)};
+    return {std::move(arrays).to_surface(m_is_parallel), std::move(faces), std::move(is_on_cut)};
   }
 
 private:
   const Indexed_surface& m_surface;
+  bool m_is_parallel;
   Face_selector<Indexed_surface> m_select;
 };
 

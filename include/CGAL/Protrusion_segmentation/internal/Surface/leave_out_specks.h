@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_LEAVE_OUT_SPECKS_H
 
 #include <CGAL/Protrusion_segmentation/internal/Surface/Rest_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/small_components.h>
 

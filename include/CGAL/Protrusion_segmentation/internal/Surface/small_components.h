@@ -10,7 +10,6 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
@@ -25,23 +24,6 @@ namespace internal {
 // A speck has less of the area of the largest component, and fewer faces than that: less than half of the least protrusion,
 // which has .0025 of its component. A figure on a large floor of few faces is none.
 constexpr double area_share_of_speck = 0.001;
-
-// The component of every face, numbered in the order of their first faces.
-inline std::vector<Indexed_surface::Index> components_of_faces(const Surface_arrays& surface)
-{
-  using Index = Indexed_surface::Index;
-  std::vector<Index> result(surface.number_of_faces(), Indexed_surface::no_face());
-  Index number = 0;
-  for (Index f = 0; f < surface.number_of_faces(); ++f)
-    if (result[f] == Indexed_surface::no_face())
-    {
-      connected_faces(
-        surface, f, [&](Index g) { return result[g] == Indexed_surface::no_face(); },
-        [&](Index g) { result[g] = number; });
-      ++number;
-    }
-  return result;
-}
 
 // Areas and centroids of faces, in a unit in which squares of areas neither overflow nor vanish: a power of two, which
 // changes no digit.
