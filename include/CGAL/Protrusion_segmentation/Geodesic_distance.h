@@ -65,12 +65,9 @@ public:
     void operator()(Indexed_surface::Index source, std::vector<double>& distances, double bound)
     {
       if (source == m_kept_source && !m_kept.empty())
-      {
         distances = std::exchange(m_kept, {});
-        return;
-      }
-      m_shortest_distances(source, distances, bound);
-      ++m_number_of_runs;
+      else
+        m_shortest_distances(source, distances, bound);
     }
     /// \return the face of eq. (1)
     Indexed_surface::Index face_of_largest_sum()
@@ -78,18 +75,18 @@ public:
       internal::Largest_distance_sum<internal::Shortest_distances> search(m_surface, m_shortest_distances, m_execution);
       m_kept_source = search(m_maximum_number_of_visits);
       m_kept = search.take_distances_from_best();
-      m_number_of_runs += search.number_of_visits();
+      m_number_of_runs_of_copies += search.number_of_visits_by_copy();
       return m_kept_source;
     }
     /// \return how many shortest path computations there were so far
-    std::size_t number_of_runs() const { return m_number_of_runs; }
+    std::size_t number_of_runs() const { return m_shortest_distances.number_of_runs() + m_number_of_runs_of_copies; }
 
   private:
     const Indexed_surface& m_surface;
     std::size_t m_maximum_number_of_visits;
     Execution& m_execution;
     internal::Shortest_distances m_shortest_distances;
-    std::size_t m_number_of_runs = 0;
+    std::size_t m_number_of_runs_of_copies = 0;
     // who asks for the face of eq. (1) asks for its distances next
     Indexed_surface::Index m_kept_source = 0;
     std::vector<double> m_kept;

@@ -98,8 +98,6 @@ public:
     std::vector<Index> next = {0};
     for (std::size_t round = 0; m_number_of_visits < maximum_number_of_visits && !next.empty(); ++round)
     {
-      // how many rounds there will be is not known; most surfaces need about ten
-      m_execution.progress(static_cast<double>(round) / static_cast<double>(round + 20));
       if (round == round_of_middle)
         next.front() = middle_or(next.front());
       next.resize((std::min)(next.size(), maximum_number_of_visits - m_number_of_visits));
@@ -110,8 +108,8 @@ public:
     return m_best;
   }
 
-  // each a run of the distances, or of a copy of them
-  std::size_t number_of_visits() const { return m_number_of_visits; }
+  // For as many of the visits a copy of the distances was used.
+  std::size_t number_of_visits_by_copy() const { return m_number_of_visits_by_copy; }
 
   // By how much another face may do better, relative to the sum of the face that was returned; 0 if the
   // search came to its end.
@@ -153,9 +151,20 @@ private:
     m_visited.resize(faces.size());
     for_each_index(faces.size(), m_execution.is_parallel() && faces.size() > 1,
                    [&](std::size_t i)
-                   { m_visitors[i % m_visitors.size()](faces[i], m_bounds, m_largest, m_visited[i]); });
+                   {
+                     tell_progress(m_number_of_visits + i);
+                     m_visitors[i % m_visitors.size()](faces[i], m_bounds, m_largest, m_visited[i]);
+                   });
+    if (m_other_distances)
+      m_number_of_visits_by_copy += faces.size() - 1;
     for (Visited_face& face : m_visited)
       take_into_account(face);
+  }
+
+  // How many visits there will be is not known; most surfaces need about ten.
+  void tell_progress(std::size_t number_of_visits)
+  {
+    m_execution.progress(static_cast<double>(number_of_visits) / static_cast<double>(number_of_visits + 20));
   }
 
   void take_into_account(Visited_face& visit)
@@ -293,7 +302,7 @@ private:
   std::optional<Distances> m_other_distances; // a copy, for another thread
   std::deque<Face_visitor<Distances>> m_visitors;
   std::vector<Visited_face> m_visited; // in this round
-  std::size_t m_number_of_visits = 0;
+  std::size_t m_number_of_visits = 0, m_number_of_visits_by_copy = 0;
   std::vector<double> m_bounds;
   std::vector<unsigned char> m_sharpened_with; // how many sources
   Joint_sum_bounds m_joint_bounds;
