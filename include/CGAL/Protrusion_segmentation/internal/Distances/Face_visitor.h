@@ -10,8 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -91,15 +89,15 @@ public:
     m_distances(face, result.distances);
     result.of_face = sum_and_longest(result.distances);
     result.around.clear();
-    result.has_paths = false;
     if constexpr (has_tree)
+    {
       result.has_paths = std::isfinite(result.of_face.sum) && !m_distances.tree().order.empty();
-    if constexpr (has_tree)
       if (result.has_paths)
         m_local_bounds.lower(
           m_distances.arcs(), m_distances.tree(), result.distances, result.of_face.sum,
           (std::max)(largest, result.of_face.sum), m_rounding,
           [&](Index f) { return f == face ? visited : (std::min)(bounds[f], result.bound(f, m_rounding)); }, result.around);
+    }
   }
 
 private:

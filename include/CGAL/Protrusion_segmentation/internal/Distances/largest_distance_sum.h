@@ -123,7 +123,7 @@ private:
   static constexpr Index faces_per_sharpened_bound = 50;
   static constexpr Index least_sharpened_bounds = 16;
 
-  static constexpr bool has_tree = Has_shortest_path_tree<Distances>::value;
+  static constexpr bool has_tree = Face_visitor<Distances>::has_tree;
   // Where a visit takes less time than to wake a thread up, faces are visited one by one. With 1 in place of it two threads take
   // as long on Princeton models, and there are 6 % more runs for a face, with 8192 they take longer.
   static constexpr Index least_faces_for_two = 4096;
