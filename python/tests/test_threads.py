@@ -15,6 +15,7 @@ import pytest
 import protrusion_segmentation as ps
 from meshes import ball_with_arms
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell that starts a job in the background has Ctrl-C ignored
 POINTS, TRIANGLES = ball_with_arms(7)  # 327,680 faces
 CALLS = {
     "segment": lambda: ps.segment(POINTS, TRIANGLES, 7),
@@ -105,6 +106,7 @@ def test_the_process_ends_well_after_an_interrupt():
         "import protrusion_segmentation as ps\n"
         "from meshes import ball_with_arms\n"
         "points, triangles = ball_with_arms(7)\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
         "threading.Timer(.2, lambda: os.kill(os.getpid(), signal.SIGINT)).start()\n"
         "try:\n"
         "    ps.segment(points, triangles, 7, 'paper', 'diffusion')\n"

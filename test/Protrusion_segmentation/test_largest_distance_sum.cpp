@@ -149,13 +149,24 @@ void the_number_of_visits_can_be_limited()
 {
   const Indexed_surface surface = to_surface(bumpy_sphere(3, 1));
   Geodesic_distance distance;
-  CHECK_EQUAL(distance.maximum_number_of_visits(2).maximum_number_of_visits(), 2);
+  CHECK_EQUAL(distance.maximum_number_of_visits(2).maximum_number_of_visits().value(), 2);
   auto distances = distance.on(surface, quiet_execution());
   CHECK(distances.face_of_largest_sum() < surface.number_of_faces());
   CHECK_EQUAL(distances.number_of_runs(), 2);
   CHECK_THROWS_WITH(distance.maximum_number_of_visits(0), std::invalid_argument,
                     "maximum_number_of_visits is 0");
-  CHECK_EQUAL(distance.maximum_number_of_visits(), 2);
+  CHECK_EQUAL(distance.maximum_number_of_visits().value(), 2);
+}
+
+// As many visits as scan twenty million faces; on a sphere, where all sums are alike, three times as many would prove that the
+// face is the best one.
+void large_round_bodies_take_no_undue_time()
+{
+  CHECK(!Geodesic_distance().maximum_number_of_visits());
+  const Indexed_surface sphere = to_surface(icosphere(6));
+  auto distances = Geodesic_distance().on(sphere, quiet_execution());
+  distances.face_of_largest_sum();
+  CHECK_EQUAL(distances.number_of_runs(), 20000000 / sphere.number_of_faces());
 }
 
 // A guard that needs no timing. The limits are the counts measured when this was written and a tenth
@@ -256,6 +267,7 @@ int main()
   same_face_as_all_pairs_where_paths_tie();
   faces_in_one_point_need_one_run();
   the_number_of_visits_can_be_limited();
+  large_round_bodies_take_no_undue_time();
   few_runs_on_large_meshes();
   the_distances_from_the_face_take_no_further_run();
   for (const double size : {1., 1e-60, 1e60})

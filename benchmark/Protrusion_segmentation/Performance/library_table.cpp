@@ -92,7 +92,7 @@ public:
     {
       Boost_shortest_distances& distances = *this;
       using Search = PS::internal::Largest_distance_sum<Boost_shortest_distances>;
-      return Search(m_surface, distances, m_execution)(PS::Geodesic_distance().maximum_number_of_visits());
+      return Search(m_surface, distances, m_execution)(m_surface.number_of_faces());
     }
 
   private:

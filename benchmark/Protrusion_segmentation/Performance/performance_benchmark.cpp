@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Measures the time and the memory of whole segmentations on the meshes of the Princeton Segmentation
-// Benchmark and prints seven tables in Markdown, each with its goal:
+// Benchmark and prints eight tables in Markdown, each with its goal:
 //
 //   performance_benchmark --folder FOLDER [--tables 1,3] [--models 2,4,10-50] [--methods NAME,...]
 //                         [--repetitions N] [--threads N] [--growth-model N] [--largest-growth FACES]
@@ -62,7 +62,7 @@ void print_tables(const Options& options)
   const Benchmark_folder folder(options.folder);
   const std::vector<Print_table> tables = {print_distance_table, print_peer_table, print_reading_table,
                                            print_growth_table, print_thread_table, print_gap_table,
-                                           print_library_table};
+                                           print_library_table, print_shape_table};
   for (const int table : options.tables)
   {
     tables.at(std::size_t(table - 1))(options, folder);
@@ -95,10 +95,10 @@ int main(int argc, char** argv)
   app.add_option("--folder", options.folder, "folder laid out as the Princeton Segmentation Benchmark")
     ->required();
   app.add_option("--models", options.models, "models of tables 2, 3 and 7, such as 2,4,10-50");
-  app.add_option("--methods", options.methods, "methods of tables 2 to 4");
-  app.add_option("--tables", options.tables, "tables to print, of 1 to 7")
+  app.add_option("--methods", options.methods, "methods of tables 2 to 4 and 8");
+  app.add_option("--tables", options.tables, "tables to print, of 1 to 8")
     ->delimiter(',')
-    ->check(CLI::Range(1, 7));
+    ->check(CLI::Range(1, 8));
   app.add_option("--repetitions", options.repetitions, "of each measurement")
     ->check(CLI::PositiveNumber);
   app.add_option("--growth-model", options.growth_model, "the model that table 4 subdivides");

@@ -23,7 +23,7 @@ struct Options
                        "194,202,210,218,226,234,242,250,258,282,290,298,306,314,322,330,338,346,354,362,"
                        "370,378,386,394";
   std::string methods = "Minimum-cut,Paper-GD";
-  std::vector<int> tables = {1, 2, 3, 4, 5, 6, 7};
+  std::vector<int> tables = {1, 2, 3, 4, 5, 6, 7, 8};
   std::size_t repetitions = 3;
   int large_model = 282; // 195,768 faces when subdivided
   int growth_model = 90;
@@ -57,5 +57,8 @@ void print_gap_table(const Options& options, const Benchmark_folder& folder);
 
 // 7. With Boost's shortest paths, and sections by CGAL's slicer.
 void print_library_table(const Options& options, const Benchmark_folder& folder);
+
+// 8. A million faces without protrusions.
+void print_shape_table(const Options& options, const Benchmark_folder& folder);
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_TABLES_H

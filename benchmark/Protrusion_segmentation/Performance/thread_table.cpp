@@ -95,6 +95,8 @@ void print_rows(const Options& options, const Benchmark_folder& folder, const Ma
     print_whole_row(table, "the default method on " + std::to_string(large.mesh.number_of_faces()) + " faces", options, large,
                     PS::Minimum_cut_method());
   }
+  print_whole_row(table, "the paper's method with GD on " + std::to_string(large.mesh.number_of_faces()) + " faces", options,
+                  large, PS::Histogram_method());
 }
 
 #else

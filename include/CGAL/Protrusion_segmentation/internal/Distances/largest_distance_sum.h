@@ -99,7 +99,7 @@ public:
     for (std::size_t round = 0; m_number_of_visits < maximum_number_of_visits && !next.empty(); ++round)
     {
       if (round == round_of_middle)
-        next.front() = middle_or(next.front());
+        go_to_middle(next);
       next.resize((std::min)(next.size(), maximum_number_of_visits - m_number_of_visits));
       visit(next);
       next = most_promising();
@@ -201,12 +201,18 @@ private:
 
   bool is_visited(Index face) const { return m_bounds[face] == visited; }
 
-  // The face in the middle of those visited so far, or, without joint bounds, `face`. Its own sum is small, but most
-  // shortest paths lead near to it.
-  Index middle_or(Index face) const
+  // The face in the middle of those visited so far takes the place of the first one, unless there are no joint bounds. Its own
+  // sum is small, but most shortest paths lead near to it.
+  void go_to_middle(std::vector<Index>& next) const
   {
-    const Index middle = m_joint_bounds.number_of_sources() > 0 ? m_joint_bounds.middle() : face;
-    return is_visited(middle) ? face : middle;
+    if (m_joint_bounds.number_of_sources() == 0)
+      return;
+    const Index middle = m_joint_bounds.middle();
+    if (is_visited(middle))
+      return;
+    next.front() = middle;
+    if (next.back() == middle)
+      next.resize(1);
   }
 
   // Whether the sum of a face may exceed the largest one found. At that sum it can tie at most, which matters only
