@@ -99,7 +99,7 @@ public:
   /// number of faces of the surface, but at least 100. It limits the time on large round bodies, where nearly
   /// all sums are alike; no part of the models of the Princeton benchmark comes near it. After 100 visits on
   /// spheres and tori, smooth ones and bumpy ones, of up to a million faces no other face can do better by more
-  /// than 5 %, and none of those that were found in ten times the time does so by more than 0.05 %.
+  /// than 5 %, and none that was found by up to seven times as many visits does so by more than 0.05 %.
   std::optional<std::size_t> maximum_number_of_visits() const { return m_maximum_number_of_visits; }
   /// sets the number of faces that the search for the face of eq. (1) may visit.
   /// \param value the number, above 0; the number of faces makes the search exact on every surface
