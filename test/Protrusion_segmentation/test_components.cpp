@@ -12,6 +12,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
+#include <functional>
 #include <random>
 
 using namespace test_meshes;
@@ -156,9 +158,35 @@ void the_order_of_the_faces_does_not_matter()
   }
 }
 
+// With as many segments as components, or fewer, nothing is cut and nothing prepared for it; the largest component has the
+// first id as ever.
+void components_alone_take_no_search()
+{
+  struct Counter : CGAL::Protrusion_segmentation::Segmentation_visitor<Mesh>
+  {
+    int preparations = 0;
+    void on_preparation_begin() override { ++preparations; }
+  };
+  const std::size_t faces = figure().faces.size();
+  const Mesh mesh = to_graph<Mesh>(figures({1, 3, 2}));
+  for (const std::size_t k : {1, 2, 3, 4})
+  {
+    Counter counter;
+    const Segmentation found = checked(
+      mesh, [&](auto ids)
+      { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, CGAL::parameters::visitor(std::ref(counter))); });
+    CHECK_EQUAL(found.number, (std::max)(k, std::size_t(3)));
+    CHECK_EQUAL(counter.preparations > 0, k > 3);
+    const std::size_t expected[] = {2, 0, 1}; // of the bodies
+    for (std::size_t i = 0; k <= 3 && i < found.labels.size(); ++i)
+      CHECK_EQUAL(found.labels[i], expected[i / faces]);
+  }
+}
+
 int main()
 {
   one_figure();
+  components_alone_take_no_search();
   copies_side_by_side_are_segmented_alike();
   every_copy_gets_its_share();
   a_floor_is_one_segment_and_changes_nothing();

@@ -39,31 +39,19 @@ public:
   using Index = Indexed_surface::Index;
 
   // Without a distance, tips and level sets are those of the coarse graph itself. The arguments must outlive the
-  // object.
+  // object, which segments once.
   Cut_segmentation(const Indexed_surface& surface,
                    const std::optional<Any_distance>& distance,
                    Execution& execution,
                    const Cut_policy& policy = default_cut_policy())
-    : m_surface(surface), m_execution(execution), m_policy(policy), m_components(surface)
-  {
-    const std::size_t n = m_components.number_of_components();
-    std::optional<Face_selector<Indexed_surface>> select; // as large as the surface, which may be the only component
-    if (n > 1)
-      select.emplace(surface);
-    for (std::size_t c = 0; c < n; ++c)
-    {
-      const Execution::Subtask subtask(execution, preparation_share * static_cast<double>(c) / static_cast<double>(n),
-                                       preparation_share * static_cast<double>(c + 1) / static_cast<double>(n));
-      if (n > 1)
-        m_surfaces.push_back(surface_of_its_own((*select)(m_components.faces(c))));
-      m_cuts.push_back(std::make_unique<Component_cuts>(n > 1 ? m_surfaces.back().surface() : surface, distance,
-                                                        execution, policy));
-    }
-    m_sets.resize(n);
-  }
+    : m_surface(surface), m_distance(distance), m_execution(execution), m_policy(policy), m_components(surface)
+  {}
 
   Nested_segments with_number_of_segments(std::size_t k)
   {
+    if (k <= m_components.number_of_components())
+      return std::move(m_components); // there is nothing to be cut
+    prepare();
     const Execution::Subtask subtask(m_execution, preparation_share, 1);
     std::vector<std::size_t> numbers(m_cuts.size(), 1);
     for (std::size_t n = m_cuts.size(); n < k; ++n)
@@ -84,6 +72,7 @@ public:
 
   Nested_segments with_evident_protrusions()
   {
+    prepare();
     const Execution::Subtask subtask(m_execution, preparation_share, 1);
     for (std::size_t c = 0; c < m_cuts.size(); ++c)
     {
@@ -95,6 +84,7 @@ public:
 
   Nested_segments from_tips(const std::vector<Index>& given_tips)
   {
+    prepare();
     const Execution::Subtask subtask(m_execution, preparation_share, 1);
     std::vector<std::vector<Index>> tips(m_cuts.size());
     for (Index tip : distinct_tips(m_surface, given_tips))
@@ -114,6 +104,24 @@ public:
 private:
   // Of the whole time, normals and coarse graphs take about that share.
   static constexpr double preparation_share = 0.5;
+
+  void prepare()
+  {
+    const std::size_t n = m_components.number_of_components();
+    std::optional<Face_selector<Indexed_surface>> select; // as large as the surface, which may be the only component
+    if (n > 1)
+      select.emplace(m_surface);
+    for (std::size_t c = 0; c < n; ++c)
+    {
+      const Execution::Subtask subtask(m_execution, preparation_share * static_cast<double>(c) / static_cast<double>(n),
+                                       preparation_share * static_cast<double>(c + 1) / static_cast<double>(n));
+      if (n > 1)
+        m_surfaces.push_back(surface_of_its_own((*select)(m_components.faces(c))));
+      m_cuts.push_back(std::make_unique<Component_cuts>(n > 1 ? m_surfaces.back().surface() : m_surface, m_distance,
+                                                        m_execution, m_policy));
+    }
+    m_sets.resize(n);
+  }
 
   // What one segment more brings to a component.
   double gain(std::size_t c, std::size_t number)
@@ -197,6 +205,7 @@ private:
   }
 
   const Indexed_surface& m_surface;
+  const std::optional<Any_distance>& m_distance;
   Execution& m_execution;
   const Cut_policy& m_policy;
   Nested_segments m_components;
