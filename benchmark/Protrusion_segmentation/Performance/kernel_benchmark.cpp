@@ -6,6 +6,8 @@
 //
 //   kernel_benchmark [--benchmark_filter=REGEX] [--benchmark_repetitions=N]
 
+#include "sphere.h"
+
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
@@ -15,13 +17,12 @@
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
-#include <CGAL/boost/graph/generators.h>
-#include <CGAL/subdivision_method_3.h>
 
 #include <benchmark/benchmark.h>
 
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -35,20 +36,14 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 // A sphere of 20 * 4^level faces with six bumps.
 Mesh bumpy_sphere(int level)
 {
-  using Point = Mesh::Point;
-  Mesh mesh;
-  CGAL::make_icosahedron(mesh, Point(0, 0, 0), 1.);
-  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(level));
-  for (const auto v : vertices(mesh))
-  {
-    const auto direction = mesh.point(v) - CGAL::ORIGIN;
-    const double length = std::sqrt(direction.squared_length());
-    double largest = 0;
-    for (int axis = 0; axis < 3; ++axis)
-      largest = (std::max)(largest, std::abs(direction[axis]) / length);
-    mesh.point(v) = CGAL::ORIGIN + direction * ((1 + std::pow(largest, 40)) / length);
-  }
-  return mesh;
+  return sphere<Mesh>(static_cast<unsigned>(level),
+                      [](const auto& direction)
+                      {
+                        double largest = 0;
+                        for (int axis = 0; axis < 3; ++axis)
+                          largest = (std::max)(largest, std::abs(direction[axis]));
+                        return 1 + std::pow(largest, 40);
+                      });
 }
 
 PS::Indexed_surface surface(const benchmark::State& state)

@@ -3,11 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "measure.h"
+#include "sphere.h"
 #include "tables.h"
 
-#include <CGAL/boost/graph/generators.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/subdivision_method_3.h>
 
 #include <cmath>
 #include <cstddef>
@@ -43,21 +42,6 @@ Mesh grid(std::size_t m, std::size_t n, bool closes_u, bool closes_v, const Para
       mesh.add_face(vertex(i, j), vertex(i + 1, j), vertex(i + 1, j + 1));
       mesh.add_face(vertex(i, j), vertex(i + 1, j + 1), vertex(i, j + 1));
     }
-  return mesh;
-}
-
-// Of 20 * 4^subdivisions faces.
-Mesh sphere(unsigned subdivisions, const std::function<double(const Vector_3& direction)>& radius)
-{
-  Mesh mesh;
-  CGAL::make_icosahedron(mesh, Point_3(0, 0, 0), 1.);
-  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(subdivisions));
-  for (const Mesh::Vertex_index v : mesh.vertices())
-  {
-    const Vector_3 from_center = mesh.point(v) - CGAL::ORIGIN;
-    const Vector_3 direction = from_center / std::sqrt(from_center.squared_length());
-    mesh.point(v) = CGAL::ORIGIN + radius(direction) * direction;
-  }
   return mesh;
 }
 
@@ -103,7 +87,7 @@ Mesh graded_sheet()
 
 Mesh spheres(std::size_t number)
 {
-  const Mesh one = sphere(1, unit);
+  const Mesh one = sphere<Mesh>(1, unit);
   Mesh mesh;
   std::vector<Mesh::Vertex_index> vertices;
   for (std::size_t i = 0; i < number; ++i)
@@ -125,8 +109,8 @@ Mesh spheres(std::size_t number)
 
 std::vector<std::pair<std::string, std::function<Mesh()>>> shapes()
 {
-  return {{"sphere", [] { return sphere(8, unit); }},
-          {"sphere with bumps", [] { return sphere(8, with_bumps); }},
+  return {{"sphere", [] { return sphere<Mesh>(8, unit); }},
+          {"sphere with bumps", [] { return sphere<Mesh>(8, with_bumps); }},
           {"torus", [] { return torus(0); }},
           {"torus with bulges", [] { return torus(0.4); }},
           {"tube, a thousand times as long as its radius", tube},
