@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -44,6 +45,18 @@ void for_each_block(std::size_t n, bool parallel, Body body)
   static_cast<void>(parallel);
   for (std::size_t block = 0; block < number_of_blocks(n); ++block)
     call(block);
+}
+
+// Calls `visit(i)` for every number i from 0 to n - 1, in any order if parallel. For many short calls.
+template <typename Visit>
+void for_each_number(std::size_t n, bool parallel, Visit visit)
+{
+  for_each_block(n, parallel,
+                 [&](std::size_t begin, std::size_t end, std::size_t)
+                 {
+                   for (std::size_t i = begin; i < end; ++i)
+                     visit(static_cast<std::uint32_t>(i));
+                 });
 }
 
 // `sum` plus `term(begin, end)` of every block, added in the order of the blocks: rounded alike with any number of
