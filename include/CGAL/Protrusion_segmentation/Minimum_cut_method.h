@@ -102,11 +102,9 @@ Minimum_cut_method::segment(const Indexed_surface& surface,
                             std::optional<std::size_t> number_of_segments,
                             Execution& execution) const
 {
-  internal::Cut_segmentation segmentation(surface, m_distance, execution,
-                                          number_of_segments ? internal::default_cut_policy()
-                                                             : internal::evident_cut_policy());
+  internal::Cut_segmentation segmentation(surface, m_distance, execution);
   return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
-                            : segmentation.with_evident_protrusions();
+                            : segmentation.with_automatic_number();
 }
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE internal::Nested_segments

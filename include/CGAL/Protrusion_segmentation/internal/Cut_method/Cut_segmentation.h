@@ -7,10 +7,12 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Component_cuts.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Component_segments.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_policy.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/evident_number.h>
+#include <CGAL/Protrusion_segmentation/Protrusion.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Component.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Component_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/describe_protrusions.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/Next_segment.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
@@ -20,9 +22,10 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <deque>
 #include <memory>
 #include <optional>
+#include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -38,180 +41,206 @@ class Cut_segmentation
 public:
   using Index = Indexed_surface::Index;
 
-  // Without a distance, tips and level sets are those of the coarse graph itself. The arguments must outlive the
-  // object, which segments once.
+  // Without a distance, tips and level sets are those of the coarse graph. The arguments must outlive the object, which
+  // segments once.
   Cut_segmentation(const Indexed_surface& surface,
                    const std::optional<Any_distance>& distance,
                    Execution& execution,
-                   const Cut_policy& policy = default_cut_policy())
-    : m_surface(surface), m_distance(distance), m_execution(execution), m_policy(policy), m_components(surface)
-  {}
-
-  Nested_segments with_number_of_segments(std::size_t k)
+                   const Cut_options& options = default_options())
+    : m_surface(surface),
+      m_distance(distance),
+      m_execution(execution),
+      m_options(options),
+      m_components(surface),
+      m_labels(surface.number_of_faces())
   {
-    if (k <= m_components.number_of_components())
-      return std::move(m_components); // there is nothing to be cut
-    prepare();
-    const Execution::Subtask subtask(m_execution, preparation_share, 1);
-    std::vector<std::size_t> numbers(m_cuts.size(), 1);
-    for (std::size_t n = m_cuts.size(); n < k; ++n)
-    {
-      const Next_segment progress(m_execution, n, k);
-      std::optional<std::size_t> best;
-      for (std::size_t c = 0; c < m_cuts.size(); ++c)
-        if (m_cuts[c]->best(numbers[c] + 1) && (!best || gain(c, numbers[c]) > gain(*best, numbers[*best])))
-          best = c;
-      if (!best)
-        break;
-      ++numbers[*best];
-    }
-    for (std::size_t c = 0; c < m_cuts.size(); ++c)
-      m_sets[c] = *m_cuts[c]->best(numbers[c]);
-    return finish();
+    if (m_components.number_of_components() > 1)
+      m_select.emplace(surface);
+    for (Index c = 0; c < m_components.number_of_components(); ++c)
+      m_parents.push_back(c);
   }
 
-  Nested_segments with_evident_protrusions()
+  // As many as there are if there are fewer.
+  Nested_segments with_number_of_segments(std::size_t k)
   {
-    prepare();
-    const Execution::Subtask subtask(m_execution, preparation_share, 1);
-    for (std::size_t c = 0; c < m_cuts.size(); ++c)
+    const std::size_t n = m_components.number_of_components();
+    if (k <= n)
+      return std::move(m_components); // there is nothing to be cut
+    std::vector<Loaded> loaded(n);
+    for (std::size_t c = 0; c < n; ++c)
     {
-      const Next_segment progress(m_execution, c, m_cuts.size());
-      m_sets[c] = *m_cuts[c]->best(evident_number_of_segments(c));
+      const Execution::Subtask subtask(m_execution, share(c, n) / 2, share(c + 1, n) / 2);
+      loaded[c].load(*this, c);
     }
-    return finish();
+    const Execution::Subtask subtask(m_execution, 0.5, 1);
+    const std::vector<std::size_t> numbers = numbers_of_segments(loaded, k);
+    for (std::size_t c = 0; c < n; ++c)
+    {
+      finish(c, loaded[c], *loaded[c].component->best(numbers[c]));
+      loaded[c] = Loaded(); // its memory is needed no more
+    }
+    return result();
+  }
+
+  Nested_segments with_automatic_number()
+  {
+    return one_by_one([](Loaded& loaded, std::size_t)
+                      { return *loaded.component->best(loaded.component->automatic_number()); });
   }
 
   Nested_segments from_tips(const std::vector<Index>& given_tips)
   {
-    prepare();
-    const Execution::Subtask subtask(m_execution, preparation_share, 1);
-    std::vector<std::vector<Index>> tips(m_cuts.size());
+    std::vector<std::vector<Index>> tips(m_components.number_of_components());
     for (Index tip : distinct_tips(m_surface, given_tips))
     {
       const Nested_segments::Faces& faces = m_components.faces(m_components.labels()[tip]);
       const auto position = std::lower_bound(faces.begin(), faces.end(), tip) - faces.begin();
       tips[m_components.labels()[tip]].push_back(static_cast<Index>(position));
     }
-    for (std::size_t c = 0; c < m_cuts.size(); ++c)
-    {
-      const Next_segment progress(m_execution, c, m_cuts.size());
-      m_sets[c] = m_cuts[c]->cuts_of_tips(m_surfaces.empty() ? tips[c] : m_surfaces[c].faces_at(tips[c]));
-    }
-    return finish();
+    return one_by_one([&](Loaded& loaded, std::size_t c)
+                      { return loaded.component->cuts_of_tips(loaded.own ? loaded.own->faces_at(tips[c]) : tips[c]); });
   }
 
 private:
-  // Of the whole time, normals and coarse graphs take about that share.
-  static constexpr double preparation_share = 0.5;
+  static const Cut_options& default_options()
+  {
+    static const Cut_options options;
+    return options;
+  }
 
-  void prepare()
+  static double share(std::size_t i, std::size_t n) { return static_cast<double>(i) / static_cast<double>(n); }
+
+  // A component while it is segmented.
+  struct Loaded
+  {
+    // In the coordinates and the order of faces that it has in a mesh of its own, if there are several: sums are rounded
+    // alike then, and ties decided alike.
+    std::unique_ptr<Canonical_surface> own;
+    std::unique_ptr<Component> component;
+
+    void load(Cut_segmentation& all, std::size_t c)
+    {
+      if (all.m_select)
+        own = std::make_unique<Canonical_surface>((*all.m_select)(all.m_components.faces(c)), all.m_execution.is_parallel());
+      component =
+        std::make_unique<Component>(own ? own->surface() : all.m_surface, all.m_distance, all.m_options, all.m_execution);
+    }
+  };
+
+  // Each component is finished before the next one, so that memory is that of the largest one. `cuts(loaded, c)`: of a
+  // component
+  template <typename Cuts>
+  Nested_segments one_by_one(Cuts cuts)
   {
     const std::size_t n = m_components.number_of_components();
-    std::optional<Face_selector<Indexed_surface>> select; // as large as the surface, which may be the only component
-    if (n > 1)
-      select.emplace(m_surface);
     for (std::size_t c = 0; c < n; ++c)
     {
-      const Execution::Subtask subtask(m_execution, preparation_share * static_cast<double>(c) / static_cast<double>(n),
-                                       preparation_share * static_cast<double>(c + 1) / static_cast<double>(n));
-      if (n > 1)
-        m_surfaces.push_back(surface_of_its_own((*select)(m_components.faces(c))));
-      m_cuts.push_back(std::make_unique<Component_cuts>(n > 1 ? m_surfaces.back().surface() : m_surface, m_distance,
-                                                        m_execution, m_policy));
-    }
-    m_sets.resize(n);
-  }
-
-  // What one segment more brings to a component.
-  double gain(std::size_t c, std::size_t number)
-  {
-    return m_cuts[c]->best(number + 1)->value - m_cuts[c]->best(number)->value;
-  }
-
-  std::size_t evident_number_of_segments(std::size_t c)
-  {
-    return internal::evident_number_of_segments(
-      [&](std::size_t number)
+      const Execution::Subtask subtask(m_execution, share(c, n), share(c + 1, n));
+      Loaded loaded;
       {
-        const Next_segment progress(m_execution, number, std::nullopt);
-        return m_cuts[c]->best(number + 1, least_evident_value) ? std::optional<double>(gain(c, number)) : std::nullopt;
-      });
+        const Execution::Subtask preparation(m_execution, 0, 0.5);
+        loaded.load(*this, c);
+      }
+      const Execution::Subtask search(m_execution, 0.5, 1);
+      finish(c, loaded, cuts(loaded, c));
+    }
+    return result();
   }
 
-  // In the coordinates and the order of faces that a component has in a mesh of its own: sums are rounded alike then,
-  // and ties decided alike.
-  Canonical_surface surface_of_its_own(Surface_arrays arrays) const
+  // Of each component, `k` in all if there are as many: first those that are found without a number, then others, each time
+  // the one that gains most; of equals that of the first component.
+  std::vector<std::size_t> numbers_of_segments(std::vector<Loaded>& loaded, std::size_t k)
   {
-    return Canonical_surface(std::move(arrays), m_execution.is_parallel());
+    std::vector<std::size_t> numbers(loaded.size(), 1), automatic(loaded.size(), 0);
+    using Offer = std::tuple<bool, double, std::size_t>; // whether it is a further one, minus the gain, the component
+    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
+    const auto offer = [&](std::size_t c)
+    {
+      if (const std::optional<double> gain = loaded[c].component->gain(numbers[c]))
+        offers.emplace(numbers[c] >= automatic[c], -*gain, c);
+    };
+    for (std::size_t c = 0; c < loaded.size(); ++c)
+    {
+      if (loaded.size() > 1)
+        automatic[c] = loaded[c].component->automatic_number();
+      offer(c);
+    }
+    for (std::size_t n = loaded.size(); n < k && !offers.empty(); ++n)
+    {
+      const Next_segment progress(m_execution, n, k);
+      const std::size_t c = std::get<2>(offers.top());
+      offers.pop();
+      ++numbers[c];
+      if (n + 1 < k)
+        offer(c);
+    }
+    return numbers;
+  }
+
+  // Takes the segments of a component: its protrusions come behind those of the components before.
+  void finish(std::size_t c, const Loaded& loaded, const Cut_set& set)
+  {
+    const Stage_scope stage(m_execution.observer(), Stage::LABELS);
+    const Component_segments segments(loaded.component->graphs(), loaded.component->memo(), set, m_options, m_execution);
+    const Index first = static_cast<Index>(m_parents.size()) - 1; // plus the number of a protrusion
+    const auto id = [first, c](std::size_t s) { return static_cast<Index>(s == 0 ? c : first + s); };
+    for (std::size_t f = 0; f < segments.labels().size(); ++f)
+      m_labels[face_of_surface(c, loaded, f)] = id(segments.labels()[f]);
+    for (std::size_t s = 1; s < segments.number_of_segments(); ++s)
+      m_parents.push_back(id(segments.parents()[s]));
+    m_numbers_of_runs.push_back(loaded.component->number_of_runs());
+    if (m_execution.observer().looks_at_protrusions() && segments.number_of_segments() > 1)
+      add_protrusions(c, loaded, segments, id);
   }
 
   // The face of the whole surface for a face of a component.
-  Index face_of_surface(std::size_t c, std::size_t face) const
+  Index face_of_surface(std::size_t c, const Loaded& loaded, std::size_t face) const
   {
-    return m_components.faces(c)[m_surfaces.empty() ? face : m_surfaces[c].positions()[face]];
-  }
-
-  // Puts the components together again: bodies first, then the protrusions of one component after the other.
-  Nested_segments finish()
-  {
-    std::vector<Index> labels(m_surface.number_of_faces()), parents;
-    for (Index c = 0; c < m_cuts.size(); ++c)
-      parents.push_back(c);
-    std::vector<Protrusion<Index>> protrusions;
-    for (Index c = 0; c < m_cuts.size(); ++c)
-    {
-      const Stage_scope stage(m_execution.observer(), Stage::LABELS);
-      const Component_segments segments(*m_cuts[c], m_sets[c], m_policy, m_execution);
-      const Index first = static_cast<Index>(parents.size()) - 1; // plus the number of a protrusion
-      const auto id = [first, c](std::size_t s) { return s == 0 ? c : static_cast<Index>(first + s); };
-      for (std::size_t f = 0; f < segments.labels().size(); ++f)
-        labels[face_of_surface(c, f)] = id(segments.labels()[f]);
-      for (std::size_t s = 1; s < segments.number_of_segments(); ++s)
-        parents.push_back(id(segments.parents()[s]));
-      if (m_execution.observer().looks_at_protrusions())
-        add_protrusions(c, segments, id, protrusions);
-    }
-    report(protrusions);
-    return Nested_segments(std::move(labels), std::move(parents), m_cuts.size());
+    return m_components.faces(c)[loaded.own ? loaded.own->positions()[face] : face];
   }
 
   // Those of a component, in terms of the whole surface; `id(s)` is the number that a segment of the component has there.
   template <typename Id>
-  void add_protrusions(Index c, const Component_segments& segments, Id id, std::vector<Protrusion<Index>>& protrusions) const
+  void add_protrusions(std::size_t c, const Loaded& loaded, const Component_segments& segments, Id id)
   {
-    const double unit = m_surfaces.empty() ? 1 : m_surfaces[c].unit();
-    for (Protrusion<Index>& protrusion : segments.protrusions())
+    const double unit = loaded.own ? loaded.own->unit() : 1;
+    const Indexed_surface& surface = loaded.own ? loaded.own->surface() : m_surface;
+    const Protrusion_describer describe(surface, loaded.component->graphs(), segments, m_execution.is_parallel());
+    for (Protrusion<Index>& protrusion : describe())
     {
-      protrusion.tip = face_of_surface(c, protrusion.tip);
+      protrusion.tip = face_of_surface(c, loaded, protrusion.tip);
       protrusion.border_distance *= unit;
       protrusion.border_length *= unit;
       protrusion.area *= unit * unit;
       protrusion.segment = id(protrusion.segment);
       protrusion.parent = id(protrusion.parent);
-      protrusions.push_back(std::move(protrusion));
+      m_protrusions.push_back(std::move(protrusion));
     }
   }
 
-  void report(const std::vector<Protrusion<Index>>& protrusions)
+  // Puts the components together again: bodies first, then the protrusions of one component after the other.
+  Nested_segments result()
   {
-    for (const auto& cuts : m_cuts)
-      m_execution.observer().distances_computed(cuts->number_of_runs());
-    for (const Protrusion<Index>& protrusion : protrusions)
+    for (std::size_t runs : m_numbers_of_runs)
+      m_execution.observer().distances_computed(runs);
+    for (const Protrusion<Index>& protrusion : m_protrusions)
     {
       m_execution.observer().tip_selected(protrusion.tip);
       m_execution.observer().protrusion_found(protrusion);
     }
+    return Nested_segments(std::move(m_labels), std::move(m_parents), m_components.number_of_components());
   }
 
   const Indexed_surface& m_surface;
   const std::optional<Any_distance>& m_distance;
   Execution& m_execution;
-  const Cut_policy& m_policy;
+  const Cut_options& m_options;
   Nested_segments m_components;
-  std::deque<Canonical_surface> m_surfaces;           // of the components, if there are several
-  std::vector<std::unique_ptr<Component_cuts>> m_cuts; // of the components
-  std::vector<Cut_set> m_sets;                        // of the components, as chosen
+  std::optional<Face_selector<Indexed_surface>> m_select; // if there are several components
+  std::vector<Index> m_labels;  // of every face
+  std::vector<Index> m_parents; // of every segment
+  std::vector<Protrusion<Index>> m_protrusions;
+  std::vector<std::size_t> m_numbers_of_runs; // of every component
 };
 
 } // namespace internal

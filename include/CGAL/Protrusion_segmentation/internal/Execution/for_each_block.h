@@ -72,6 +72,20 @@ Sum add_blocks(std::size_t n, bool parallel, Sum sum, Term term)
   return sum;
 }
 
+// `sum` plus the terms that `add(sum, i)` adds for every number i from 0 to n - 1, rounded alike with any number of threads.
+template <typename Sum, typename Add>
+Sum add_numbers(std::size_t n, bool parallel, Sum zero, Add add)
+{
+  return add_blocks(n, parallel, zero,
+                    [&](std::size_t begin, std::size_t end)
+                    {
+                      Sum sum = zero;
+                      for (std::size_t i = begin; i < end; ++i)
+                        add(sum, static_cast<std::uint32_t>(i));
+                      return sum;
+                    });
+}
+
 // Sorts values of which no two are equivalent, so that their order is the same however it is found; by
 // `sort(begin, end)` if not parallel.
 template <typename T, typename Less, typename Sort>

@@ -1,0 +1,191 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_BEAM_SEARCH_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_BEAM_SEARCH_H
+
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Searches the cuts of a connected surface that are best together, for one more segment at a time. Greedy choice fails, because
+// one good cut can block two better ones: the best sets of cuts are kept, a beam, and each is tried with its best
+// further cuts.
+class Beam_search
+{
+public:
+  using Index = Dual_graph::Index;
+
+  // The arguments must outlive the object.
+  Beam_search(const Dual_graph& graph, Segment_search& search, const Cut_options& options)
+    : m_search(search), m_options(options), m_memo(graph)
+  {
+    Nodes all(graph.number_of_nodes());
+    std::iota(all.begin(), all.end(), Index(0));
+    Cut_set whole;
+    whole.segments.push_back(m_memo.find_or_add(std::move(all)));
+    m_beam.push_back(whole);
+    m_best.push_back(std::move(whole));
+  }
+  Beam_search(const Beam_search&) = delete;
+  Beam_search& operator=(const Beam_search&) = delete;
+
+  const Segment_memo& memo() const { return m_memo; }
+  Segment_memo& memo() { return m_memo; }
+
+  // The best set of cuts into `number_of_segments`; none if there are not as many. Cuts that gain little are searched for only
+  // when there are no others, so that the sets are the same whether they are asked for by their number or not.
+  const Cut_set* best(std::size_t number_of_segments)
+  {
+    while (m_best.size() < number_of_segments)
+      if (!advance(m_options.least_protrusion) && !advance(-infinity))
+        return nullptr;
+    return &m_best[number_of_segments - 1];
+  }
+
+  // The same; none if one of the cuts gains as little as `Cut_options::least_protrusion`.
+  const Cut_set* best_protrusions(std::size_t number_of_segments)
+  {
+    while (m_best.size() < number_of_segments)
+      if (!advance(m_options.least_protrusion))
+        return nullptr;
+    return &m_best[number_of_segments - 1];
+  }
+
+  // What the last of a number of segments gains, of those that were asked for.
+  double gain(std::size_t number_of_segments) const
+  {
+    return m_best[number_of_segments - 1].value - m_best[number_of_segments - 2].value;
+  }
+
+private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  // A further cut of a set, one of a segment's cuts, and the value of the set with it.
+  struct Choice
+  {
+    const Cut_set* set;
+    Index segment;
+    std::size_t cut;
+    double value;
+  };
+
+  // Makes the beam one of sets with one cut more, if that adds more than `least_gain` to the value of the best one.
+  bool advance(double least_gain)
+  {
+    const double least = m_best.back().value + least_gain;
+    std::vector<Cut_set> next = best_next_sets();
+    for (std::vector<Index> ids = segments_to_search(next, least); !ids.empty(); ids = segments_to_search(next, least))
+    {
+      search(ids);
+      next = best_next_sets();
+    }
+    if (next.empty() || next.front().value <= least)
+      return false;
+    m_best.push_back(next.front());
+    m_beam = std::move(next);
+    return true;
+  }
+
+  void search(const std::vector<Index>& ids)
+  {
+    std::vector<const Segment*> segments;
+    for (Index id : ids)
+      segments.push_back(&m_memo[id].segment);
+    std::vector<std::vector<Cut>> cuts = m_search(segments);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      m_memo.set_cuts(ids[i], std::move(cuts[i]));
+  }
+
+  // The best different sets of one cut more, as far as segments have been searched.
+  std::vector<Cut_set> best_next_sets()
+  {
+    std::vector<Choice> choices;
+    for (const Cut_set& set : m_beam)
+    {
+      const std::vector<Choice> of_set = best_choices(set);
+      choices.insert(choices.end(), of_set.begin(), of_set.end());
+    }
+    sort_by_value(choices);
+    std::vector<Cut_set> sets;
+    for (std::size_t i = 0; i < choices.size() && sets.size() < m_options.number_of_sets; ++i)
+    {
+      const Index segment = choices[i].segment;
+      Cut_set set = choices[i].set->with(m_memo.made_cut(segment, m_memo[segment].cuts[choices[i].cut]));
+      if (std::none_of(sets.begin(), sets.end(), [&](const Cut_set& other) { return other.segments == set.segments; }))
+        sets.push_back(std::move(set));
+    }
+    return sets;
+  }
+
+  // The best further cuts of a set, as far as its segments have been searched. Equal ones are in the order of its segments.
+  std::vector<Choice> best_choices(const Cut_set& set) const
+  {
+    std::vector<Choice> result;
+    for (Index s : set.in_order_of_cuts())
+      for (std::size_t c = 0; c < (std::min)(m_memo[s].cuts.size(), m_options.cuts_of_set); ++c)
+        result.push_back({&set, s, c, set.value + m_memo[s].cuts[c].value});
+    sort_by_value(result);
+    result.resize((std::min)(result.size(), m_options.cuts_of_set));
+    return result;
+  }
+
+  static void sort_by_value(std::vector<Choice>& choices)
+  {
+    std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.value > b.value; });
+  }
+
+  // The most promising segments of the beam that have not been searched yet and might change which sets of at least some
+  // value are the best next ones. The promise is an upper bound, by the area. Many small segments are never searched.
+  std::vector<Index> segments_to_search(const std::vector<Cut_set>& next, double least) const
+  {
+    if (next.size() == m_options.number_of_sets)
+      least = (std::max)(least, next.back().value);
+    std::vector<std::pair<double, Index>> promises; // the largest first; of equals the first segment
+    for (const Cut_set& set : m_beam)
+    {
+      const std::vector<Choice> choices = best_choices(set);
+      const double least_of_set =
+        choices.size() < m_options.cuts_of_set ? least : (std::max)(least, choices.back().value);
+      for (Index s : set.segments)
+      {
+        const double promise = set.value + m_options.largest_relative_value * m_memo[s].segment.area;
+        if (!m_memo[s].is_searched && promise >= least_of_set)
+          promises.emplace_back(-promise, s);
+      }
+    }
+    std::sort(promises.begin(), promises.end());
+    std::vector<Index> result;
+    for (const auto& [promise, s] : promises)
+      if (result.size() < m_options.searched_at_once && std::find(result.begin(), result.end(), s) == result.end())
+        result.push_back(s);
+    return result;
+  }
+
+  Segment_search& m_search;
+  const Cut_options& m_options;
+  Segment_memo m_memo;
+  std::vector<Cut_set> m_beam; // of equally many cuts, the best first
+  std::vector<Cut_set> m_best; // for every number of segments from 1 on
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_BEAM_SEARCH_H

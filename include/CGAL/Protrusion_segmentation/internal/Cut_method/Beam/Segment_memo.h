@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_SEGMENT_MEMO_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_SEGMENT_MEMO_H
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A segmentation of a connected surface by cuts, each of which splits a segment in two. Segments are those of a memo.
+struct Cut_set
+{
+  using Index = Dual_graph::Index;
+
+  struct Made_cut
+  {
+    Index segment, inner, outer;
+    double value;
+    double probability = 0;
+  };
+
+  std::vector<Index> segments; // that are left, ascending
+  std::vector<Made_cut> cuts;  // in the order in which they were made
+  double value = 0;            // sum of those of the cuts
+
+  // The segments in the order of the cuts that made them, the smaller side of a cut first. That order comes from the
+  // shape alone, not from how its faces and nodes are numbered.
+  std::vector<Index> in_order_of_cuts() const
+  {
+    if (cuts.empty())
+      return segments;
+    std::vector<Index> result;
+    for (const Made_cut& cut : cuts)
+      for (Index side : {cut.inner, cut.outer})
+        if (std::binary_search(segments.begin(), segments.end(), side))
+          result.push_back(side);
+    return result;
+  }
+
+  Cut_set with(const Made_cut& cut) const
+  {
+    Cut_set result = *this;
+    result.segments.erase(std::find(result.segments.begin(), result.segments.end(), cut.segment));
+    for (Index side : {cut.inner, cut.outer})
+      result.segments.insert(std::upper_bound(result.segments.begin(), result.segments.end(), side), side);
+    result.cuts.push_back(cut);
+    result.value += cut.value;
+    return result;
+  }
+};
+
+// All sets of nodes that were segments in any of the segmentations looked at, each with its cuts. A set that comes up again is
+// the same segment and is not searched again.
+class Segment_memo
+{
+public:
+  using Index = Dual_graph::Index;
+
+  struct Entry
+  {
+    Segment segment;
+    std::vector<Cut> cuts; // best first
+    bool is_searched = false;
+  };
+
+  // The graph must outlive the object.
+  explicit Segment_memo(const Dual_graph& graph) : m_graph(graph) {}
+
+  Index number_of_segments() const { return static_cast<Index>(m_entries.size()); }
+  const Entry& operator[](Index id) const { return m_entries[id]; }
+
+  // The segment with the given nodes, in ascending order.
+  Index find_or_add(Nodes nodes)
+  {
+    const auto [found, is_new] = m_ids.emplace(std::move(nodes), number_of_segments());
+    if (is_new)
+      m_entries.push_back({{found->first, m_graph.area_of(found->first)}, {}});
+    return found->second;
+  }
+
+  // Gives a segment its cuts, best first.
+  void set_cuts(Index id, std::vector<Cut> cuts)
+  {
+    m_entries[id].cuts = std::move(cuts);
+    m_entries[id].is_searched = true;
+  }
+
+  Cut_set::Made_cut made_cut(Index id, const Cut& cut)
+  {
+    const Index inner = find_or_add(cut.inner);
+    return {id, inner, find_or_add(other_side(m_entries[id].segment, cut.inner)), cut.value, cut.probability};
+  }
+
+private:
+  const Dual_graph& m_graph;
+  std::deque<Entry> m_entries; // at fixed addresses, while others are added
+  std::map<Nodes, Index> m_ids;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_SEGMENT_MEMO_H

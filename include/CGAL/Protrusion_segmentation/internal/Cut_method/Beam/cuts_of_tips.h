@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_CUTS_OF_TIPS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_CUTS_OF_TIPS_H
+
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Beam_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Cuts off one protrusion for each picked tip.
+class Tip_cuts
+{
+public:
+  using Index = Dual_graph::Index;
+
+  // The arguments must outlive the object.
+  Tip_cuts(const Graphs_of_surface& graphs, Segment_search& search, Segment_memo& memo, Execution& execution)
+    : m_graphs(graphs), m_search(search), m_memo(memo), m_execution(execution)
+  {}
+
+  // For the tips, in their order: cuts off the protrusion with the best border that has the tip, but none of the others, and
+  // at most half of the surface. `whole`: the set without cuts
+  Cut_set operator()(const Cut_set& whole, const std::vector<Index>& faces)
+  {
+    const std::vector<Index> tips = nodes_of_tips(whole.segments.front(), faces);
+    Cut_set result = whole;
+    for (std::size_t t = 0; t < faces.size(); ++t)
+    {
+      m_execution.check();
+      const Index segment = *std::find_if(result.segments.begin(), result.segments.end(),
+                                          [&](Index s) { return contains(m_memo[s].segment.nodes, tips[t]); });
+      if (const std::optional<Cut> cut = cut_of_tip(m_memo[segment].segment, tips[t], tips))
+        result = result.with(m_memo.made_cut(segment, *cut));
+    }
+    return result;
+  }
+
+private:
+  static bool contains(const Nodes& ascending, Index node)
+  {
+    return std::binary_search(ascending.begin(), ascending.end(), node);
+  }
+
+  // The nodes of the picked tips, and of further ones where there are few.
+  std::vector<Index> nodes_of_tips(Index whole, const std::vector<Index>& faces)
+  {
+    std::vector<double> to_nearest_tip(m_graphs.coarse.number_of_nodes(), (std::numeric_limits<double>::max)());
+    std::vector<Index> tips;
+    while (!faces.empty() && tips.size() < (std::max)(faces.size(), least_number_of_tips))
+    {
+      const auto farthest = std::max_element(to_nearest_tip.begin(), to_nearest_tip.end());
+      tips.push_back(tips.size() < faces.size() ? m_graphs.node_of_face[faces[tips.size()]]
+                                                : static_cast<Index>(farthest - to_nearest_tip.begin()));
+      const Nodes_by_distance from_tip = m_search.from_tip(m_memo[whole].segment, tips.back());
+      for (std::size_t i = 0; i < from_tip.nodes.size(); ++i)
+        to_nearest_tip[from_tip.nodes[i]] = (std::min)(to_nearest_tip[from_tip.nodes[i]], from_tip.distances[i]);
+    }
+    return tips;
+  }
+
+  std::optional<Cut> cut_of_tip(const Segment& segment, Index tip, const std::vector<Index>& tips)
+  {
+    std::vector<bool> is_other_tip(m_graphs.coarse.number_of_nodes(), false);
+    for (Index other : tips)
+      is_other_tip[other] = other != tip; // two tips in one node are one
+    return m_search.cut_of_tip(segment, tip,
+                               [&](const Nodes& nodes)
+                               {
+                                 return 2 * m_graphs.coarse.area_of(nodes) <= 1 &&
+                                        std::find(nodes.begin(), nodes.end(), tip) != nodes.end() &&
+                                        std::none_of(nodes.begin(), nodes.end(), [&](Index i) { return is_other_tip[i]; });
+                               });
+  }
+
+  const Graphs_of_surface& m_graphs;
+  Segment_search& m_search;
+  Segment_memo& m_memo;
+  Execution& m_execution;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_CUTS_OF_TIPS_H

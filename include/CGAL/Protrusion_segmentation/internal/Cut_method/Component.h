@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_COMPONENT_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_COMPONENT_H
+
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Beam_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/cuts_of_tips.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/number_of_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/Next_segment.h>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A connected surface with all that is needed to search its cuts.
+class Component
+{
+public:
+  using Index = Indexed_surface::Index;
+
+  // The arguments must outlive the object.
+  Component(const Indexed_surface& surface,
+            const std::optional<Any_distance>& distance,
+            const Cut_options& options,
+            Execution& execution)
+    : m_options(options),
+      m_execution(execution),
+      m_graphs(surface, options, execution),
+      m_search(surface, m_graphs, distance, options, execution),
+      m_beam(m_graphs.coarse, m_search, options)
+  {}
+  Component(const Component&) = delete;
+  Component& operator=(const Component&) = delete;
+
+  const Graphs_of_surface& graphs() const { return m_graphs; }
+  const Segment_memo& memo() const { return m_beam.memo(); }
+  std::size_t number_of_runs() const { return m_search.number_of_runs(); }
+
+  // The best cuts into a number of segments; none if there are not as many.
+  const Cut_set* best(std::size_t number_of_segments) { return m_beam.best(number_of_segments); }
+
+  // What segment `number_of_segments` + 1 gains; nothing if there is none.
+  std::optional<double> gain(std::size_t number_of_segments)
+  {
+    return m_beam.best(number_of_segments + 1) ? std::optional<double>(m_beam.gain(number_of_segments + 1)) : std::nullopt;
+  }
+
+  std::size_t automatic_number()
+  {
+    return automatic_number_of_segments(
+      [this](std::size_t number) -> std::optional<double>
+      {
+        const Next_segment progress(m_execution, number, std::nullopt);
+        if (!m_beam.best_protrusions(number + 1))
+          return std::nullopt;
+        return m_beam.gain(number + 1);
+      },
+      m_options);
+  }
+
+  // The cuts of protrusions of picked tips.
+  Cut_set cuts_of_tips(const std::vector<Index>& faces)
+  {
+    return Tip_cuts(m_graphs, m_search, m_beam.memo(), m_execution)(*m_beam.best(1), faces);
+  }
+
+private:
+  const Cut_options& m_options;
+  Execution& m_execution;
+  Graphs_of_surface m_graphs;
+  Segment_search m_search;
+  Beam_search m_beam;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_COMPONENT_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_BISECTION_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_BISECTION_H
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A segment and a cut that divides it: the one place where the inner side of a cut exists, as a list of nodes and marked in a
+// partition at the same time.
+class Bisection
+{
+public:
+  using Index = Dual_graph::Index;
+
+  // The arguments must outlive the object. All nodes are outer ones.
+  Bisection(Graph_partition& partition, const Segment& segment) : m_partition(partition), m_segment(segment)
+  {
+    partition.select(segment);
+  }
+
+  Graph_partition& partition() const { return m_partition; }
+  const Seam_graph& graph() const { return m_partition.graph(); }
+  const Segment& segment() const { return m_segment; }
+  const Nodes& inner() const { return m_inner; } // ascending
+  double inner_area() const { return m_inner_area; }
+  double smaller_area() const { return (std::min)(m_inner_area, m_segment.area - m_inner_area); }
+  bool has_large_sides() const { return is_large_enough(m_inner_area, m_segment.area); }
+
+  // Makes these nodes the inner side, or their complement if that is smaller, and both sides connected.
+  void set_side(const Nodes& side)
+  {
+    m_inner = m_partition.connect_sides(m_segment.nodes, side);
+    m_inner_area = graph().area_of(m_inner);
+    take_smaller_side();
+  }
+
+  // The cost of the cut relative to the smaller side's area, infinite if a side is too small to be a segment.
+  double relative_cost() const
+  {
+    if (!has_large_sides())
+      return std::numeric_limits<double>::infinity();
+    double cost = 0;
+    m_partition.for_each_arc_of_cut(m_inner, [&](Index arc, Index, Index) { cost += graph().capacity[arc]; });
+    return cost_for_area(cost, smaller_area());
+  }
+
+private:
+  void take_smaller_side()
+  {
+    if (2 * m_inner_area <= m_segment.area)
+      return;
+    m_inner = other_side(m_segment, m_inner);
+    m_inner_area = graph().area_of(m_inner);
+    m_partition.mark(m_segment.nodes, m_inner);
+  }
+
+  Graph_partition& m_partition;
+  const Segment& m_segment;
+  Nodes m_inner;
+  double m_inner_area = 0;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_BISECTION_H

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CUT_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CUT_H
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Bisection.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_clues.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/minimum_cut.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// A cut of a segment in two connected sides.
+struct Cut
+{
+  Nodes inner;                  // the side of smaller area
+  double relative_cost = 0;     // see `Bisection::relative_cost()`
+  double root_of_areas = 0;     // of the product of the areas of both sides
+  Cut_clues clues = {};
+  double value = 0;             // higher is better, below 0 it separates what belongs together
+  double probability = 0;       // that people put the sides into different segments
+};
+
+// Values a cut by its clues: the expected gain in pairs of points that are rightly together or apart. That is the
+// probability that the sides belong apart, less the one that they belong together, times the number of pairs on
+// different sides. The root of that number keeps the largest segments from being cut for their size alone.
+inline void value_by_clues(const Cut_weights& weights, Cut& cut)
+{
+  const double log_odds = weights(cut.clues);
+  cut.probability = probability_of_border(log_odds);
+  cut.value = (2 * logistic(log_odds) - 1) * cut.root_of_areas;
+}
+
+// Equal ones stay in their order.
+inline void sort_best_first(std::vector<Cut>& cuts)
+{
+  std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.value > b.value; });
+}
+
+// Makes cuts on a coarse graph. Work arrays are kept.
+class Cutter
+{
+public:
+  // The arguments must outlive the object.
+  Cutter(const Volume_graph& graph, const Cut_options& options, Graph_partition& partition, Graph_distances& distances)
+    : m_graph(graph),
+      m_options(options),
+      m_partition(partition),
+      m_strips(graph, distances),
+      m_minimum_cut(partition, distances)
+  {}
+
+  // The cut around one side of a segment, which is made connected; none if a side is too small to be a segment.
+  std::optional<Cut> cut_around(const Segment& segment, const Nodes& side)
+  {
+    Bisection bisection(m_partition, segment);
+    bisection.set_side(side);
+    return valued(bisection);
+  }
+
+  // A cut of a segment, or the minimum cut near it if this is cheaper for the areas of its sides.
+  Cut refined(const Segment& segment, Cut cut)
+  {
+    constexpr Band band = {0.35, 1.4, 0.7};
+    Bisection bisection(m_partition, segment);
+    m_partition.mark(segment.nodes, cut.inner);
+    const Nodes moved = m_minimum_cut.nodes_to_move(cut.inner, band);
+    if (moved.empty())
+      return cut;
+    Nodes side;
+    std::set_symmetric_difference(cut.inner.begin(), cut.inner.end(), moved.begin(), moved.end(), std::back_inserter(side));
+    bisection.set_side(side);
+    if (!(bisection.relative_cost() < cut.relative_cost))
+      return cut;
+    return *valued(bisection);
+  }
+
+private:
+  std::optional<Cut> valued(const Bisection& bisection)
+  {
+    if (!bisection.has_large_sides())
+      return std::nullopt;
+    Cut cut;
+    cut.inner = bisection.inner();
+    cut.relative_cost = bisection.relative_cost();
+    cut.root_of_areas = std::sqrt(bisection.inner_area() * (bisection.segment().area - bisection.inner_area()));
+    cut.clues = Clues_of_cut(m_graph, bisection)(m_strips);
+    value_by_clues(m_options.weights, cut);
+    return cut;
+  }
+
+  const Volume_graph& m_graph;
+  const Cut_options& m_options;
+  Graph_partition& m_partition;
+  Strip_measurer m_strips;
+  Minimum_cut m_minimum_cut;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CUT_H

@@ -1,0 +1,237 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CUT_CLUES_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CUT_CLUES_H
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Bisection.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// The strip beside a cut on one of its sides.
+struct Cut_strip
+{
+  double widening, shoulder, contrast; // see `Cut_clues`
+};
+
+// Measures the strips beside cuts. Where the surface widens, a strip is larger than its length and width say: the sudden
+// widening that the paper looks for in its histograms.
+class Strip_measurer
+{
+public:
+  using Index = Dual_graph::Index;
+  using Vector_3 = Indexed_surface::Vector_3;
+
+  // The arguments must outlive the object.
+  Strip_measurer(const Volume_graph& graph, Graph_distances& distances)
+    : m_graph(graph), m_distances(distances), m_share(graph.number_of_nodes(), 0)
+  {
+    for (double area : graph.area)
+      m_largest_size = (std::max)(m_largest_size, std::sqrt(area));
+  }
+
+  // The cut that a strip lies beside.
+  struct Cut_measures
+  {
+    double length, cost;
+    Vector_3 opening; // its area vector, out of the inner side
+  };
+
+  // `along_cut`: the nodes along the cut on one side
+  Cut_strip operator()(const Bisection& bisection, const Nodes& along_cut, bool inner, const Cut_measures& cut)
+  {
+    constexpr double strip_width = 0.4; // relative to the square root of the smaller area
+    constexpr double least_widening = 1e-6;
+    const double width = strip_width * std::sqrt(bisection.smaller_area());
+    const Graph_partition& partition = bisection.partition();
+    const Nodes_by_distance near = m_distances(
+      along_cut, [&](Index, Index to) { return partition.is_on_side(to, inner); }, m_graph.lengths(),
+      width + m_largest_size / 2);
+    double area = 0;
+    Vector_3 area_vector(0, 0, 0);
+    for (std::size_t i = 0; i < near.nodes.size(); ++i)
+    {
+      const Index node = near.nodes[i];
+      m_share[node] = share_of_strip(width - near.distances[i], m_graph.area[node]);
+      area += m_share[node] * m_graph.area[node];
+      area_vector += double(m_share[node]) * m_graph.area_vector[node];
+    }
+    const double widening = (std::max)(least_widening, area / (cut.length * width));
+    const double far_cost = cost_of_far_edge(near.nodes, partition, inner);
+    for (Index node : near.nodes)
+      m_share[node] = 0;
+    return {std::log(widening),
+            m_graph.is_flat ? flat_shoulder(widening, width, cut.length) : shoulder(area_vector, area, inner, cut.opening),
+            std::log((far_cost + 0.1 * cut.cost) / cut.cost)};
+  }
+
+private:
+  // The share of a node in a strip that reaches `depth` beyond its centre. A strip is few nodes wide: taken as a whole or
+  // not at all, nodes would make its area a matter of chance.
+  static float share_of_strip(double depth, double area)
+  {
+    return static_cast<float>((std::min)(1., (std::max)(0., depth / std::sqrt(area) + 0.5)));
+  }
+
+  // The cost of a cut along the far edge of the strip.
+  double cost_of_far_edge(const Nodes& nodes, const Graph_partition& partition, bool inner) const
+  {
+    double cost = 0;
+    for (Index i : nodes)
+      for (Index arc : m_graph.arcs(i))
+      {
+        const Index j = m_graph.target[arc];
+        if (m_share[j] < m_share[i] && partition.is_on_side(j, inner))
+          cost += m_graph.capacity[arc] * (m_share[i] - m_share[j]);
+      }
+    return cost;
+  }
+
+  // The opening grows by the faces of the strip as seen along the axis of the cut, away from the other side. What
+  // sticks out across the axis, as a leg out of a trunk, shows as much forwards as backwards and does not count.
+  static double shoulder(const Vector_3& area_vector, double area, bool inner, const Vector_3& opening)
+  {
+    const double size = std::sqrt(opening.squared_length()) * area;
+    return size == 0 ? 0 : (inner ? -1 : 1) * (opening * area_vector) / size;
+  }
+
+  // The far edge of a flat strip of that area is as wide as if its sides were straight. Both halves of the round body count.
+  static double flat_shoulder(double widening, double width, double length)
+  {
+    const double far_width = (std::max)(0., 2 * widening - 1);
+    const double growth = length * (CGAL::square(far_width) - 1) / CGAL_PI;
+    return (std::min)(1., (std::max)(-1., growth / (2 * width * widening)));
+  }
+
+  const Volume_graph& m_graph;
+  Graph_distances& m_distances;
+  double m_largest_size = 0;  // of a node: the square root of its area
+  std::vector<float> m_share; // of every node in the strip that is measured
+};
+
+// Computes the clues of the cut of a bisection.
+class Clues_of_cut
+{
+public:
+  using Index = Dual_graph::Index;
+  using Vector_3 = Indexed_surface::Vector_3;
+
+  Clues_of_cut(const Volume_graph& graph, const Bisection& bisection)
+    : m_graph(graph),
+      m_bisection(bisection),
+      m_smaller_area(bisection.smaller_area()),
+      m_inner_is_smaller(2 * bisection.inner_area() <= bisection.segment().area)
+  {
+    measure_cut();
+    measure_smaller_side();
+  }
+
+  Cut_clues operator()(Strip_measurer& measure_strip)
+  {
+    const auto [along_inside, along_outside] = m_bisection.partition().nodes_along_cut(m_bisection.inner());
+    const Strip_measurer::Cut_measures cut{m_length, m_cost, m_opening};
+    const Cut_strip inside = measure_strip(m_bisection, along_inside, true, cut);
+    const Cut_strip outside = measure_strip(m_bisection, along_outside, false, cut);
+    Cut_clues clues;
+    clues.concave_share = m_concave_length / m_length;
+    clues.relative_length = std::log(length_around() / std::sqrt(m_smaller_area));
+    clues.segment_size = std::log(m_bisection.segment().area);
+    std::tie(clues.smaller_widening, clues.larger_widening) = std::minmax({inside.widening, outside.widening});
+    std::tie(clues.smaller_shoulder, clues.larger_shoulder) = std::minmax({inside.shoulder, outside.shoulder});
+    clues.roundness = std::log(4 * CGAL_PI * opening() / CGAL::square(length_around()) + 0.05);
+    clues.neighbors = std::log(1 + m_earlier_length / m_length);
+    clues.contrast = (std::max)(inside.contrast, outside.contrast);
+    clues.mean_cost = std::log(m_cost / m_length + 0.02);
+    clues.thickness = std::log((std::max)(0.001, 4 * volume() / (m_smaller_area * std::sqrt(opening() + 0.02 * m_smaller_area))));
+    clues.several_loops = has_several_loops(along_inside, along_outside) ? 1 : 0;
+    clues.flatness = m_graph.is_flat ? 0 : std::sqrt(m_area_vector.squared_length()) / m_smaller_area;
+    return clues;
+  }
+
+private:
+  // A flat sheet is measured as one half of a round body, of which a cut has a circular opening and cuts off a cylinder.
+  // In units of the root of the area of both halves, it is longer by the root of two.
+  double length_around() const { return m_graph.is_flat ? std::sqrt(2.) * m_length : m_length; }
+  // the area of the opening that the cut leaves
+  double opening() const
+  {
+    return m_graph.is_flat ? CGAL::square(length_around()) / (4 * CGAL_PI) : std::sqrt(m_opening.squared_length());
+  }
+
+  void measure_cut()
+  {
+    constexpr double least_length = 1e-9;
+    Vector_3 moment(0, 0, 0), ends(0, 0, 0);
+    m_bisection.partition().for_each_arc_of_cut(m_bisection.inner(), [&](Index arc, Index, Index)
+                                                {
+                                                  m_concave_length += m_graph.concave_length[arc];
+                                                  m_length += m_graph.border_length[arc];
+                                                  m_cost += m_graph.capacity[arc];
+                                                  m_opening += m_graph.border_area[arc];
+                                                  ends += m_graph.border_vector[arc];
+                                                  moment += m_graph.border_moment[arc];
+                                                });
+    m_length = (std::max)(m_length, least_length);
+    m_cost = (std::max)(m_cost, least_length);
+    m_centre = moment / m_length;
+    m_opening -= cross_product(m_centre, ends) / 2; // a cone over the cut, also if this ends at the border of the surface
+  }
+
+  void measure_smaller_side()
+  {
+    const Graph_partition& partition = m_bisection.partition();
+    for (Index i : m_bisection.segment().nodes)
+    {
+      if (partition.is_inner(i) != m_inner_is_smaller)
+        continue;
+      m_area_vector += m_graph.area_vector[i];
+      m_flux += m_graph.flux[i];
+      for (Index arc : m_graph.arcs(i))
+        if (!partition.is_selected(m_graph.target[arc]))
+          m_earlier_length += m_graph.border_length[arc];
+    }
+  }
+
+  // of the smaller side, closed by a cone over the cut
+  double volume() const
+  {
+    return m_graph.is_flat ? m_smaller_area * length_around() / (4 * CGAL_PI)
+                           : std::abs(m_flux - m_area_vector * m_centre) / 3;
+  }
+
+  bool has_several_loops(const Nodes& along_inside, const Nodes& along_outside) const
+  {
+    Nodes along_cut = along_inside;
+    along_cut.insert(along_cut.end(), along_outside.begin(), along_outside.end());
+    return !m_bisection.partition().are_connected(along_cut);
+  }
+
+  const Volume_graph& m_graph;
+  const Bisection& m_bisection;
+  double m_smaller_area;
+  bool m_inner_is_smaller;
+  double m_concave_length = 0, m_length = 0, m_cost = 0; // of the cut
+  Vector_3 m_opening{0, 0, 0}, m_centre{0, 0, 0};        // of the cut
+  double m_earlier_length = 0, m_flux = 0;               // of the smaller side
+  Vector_3 m_area_vector{0, 0, 0};                       // of the smaller side
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CUT_CLUES_H

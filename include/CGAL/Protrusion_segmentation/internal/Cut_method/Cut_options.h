@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_OPTIONS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_OPTIONS_H
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// What a cut says of itself, see `Clues_of_cut`. All clues are independent of scale.
+struct Cut_clues
+{
+  double concave_share;    // share of the cut's length that lies in a concave seam
+  double relative_length;  // log of the length relative to the square root of the smaller side's area
+  double segment_size;     // log of the segment's share of the area of the component
+  double larger_widening;  // log of the area of a strip beside the cut relative to a straight one,
+  double smaller_widening; // of the two sides
+  double larger_shoulder;  // growth of the opening over such a strip, relative to the strip's area: 1 in
+  double smaller_shoulder; // a wall that a rod sticks out of, 0 along the rod, -1 at its end; of the two sides
+  double roundness;        // log of the area of the opening relative to a circle of the cut's length
+  double neighbors;        // log of the length of earlier borders around the smaller side relative to the cut
+  double contrast;         // log of the cost of a cut beside this one relative to it, on the dearer side
+  double mean_cost;        // log of the cost of a unit of length
+  double thickness;        // log of the volume of the smaller side relative to its area and opening
+  double several_loops;    // 1 if the cut consists of several loops, else 0
+  double flatness;         // of the area of the smaller side, the share that faces one way and not the
+                           // other: 1 of a piece of a plane, 1/2 of a half sphere, near 0 of a limb; 0 of a flat sheet
+};
+
+// The weights of the clues, fitted to human segmentations of half of the development models of the Princeton
+// benchmark by `fit_cut_weights`. Decisions and figures are in decisions.md of the benchmark.
+struct Cut_weights
+{
+  double bias = -3;
+  double concave_share = 6;
+  double relative_length = -3.7;
+  // of a cut that leaves six times as much tube as it is wide: shorter cuts across a smooth tube say no more
+  double least_relative_length = -0.3;
+  double segment_size = 0.8;
+  double larger_widening = 2.4;
+  double smaller_widening = -0.2;
+  double larger_shoulder = 8;
+  double least_larger_shoulder = 0.1; // less is a tube that widens by chance
+  double largest_larger_shoulder = 0.3;
+  double smaller_shoulder = 1;
+  double roundness = -0.6;
+  double neighbors = -1;
+  double contrast = 0.4;
+  double mean_cost = -0.8;
+  double thickness = 0.3;
+  double several_loops = -1.5;
+  double flatness = -12; // a hill, a scale or a pocket faces one way as a whole and is no protrusion
+  double least_flatness = 0.6;
+
+  // What the clues say together, as the logarithm of odds.
+  double operator()(const Cut_clues& clues) const
+  {
+    const double shoulder = (std::min)(largest_larger_shoulder, (std::max)(least_larger_shoulder, clues.larger_shoulder));
+    return bias + concave_share * clues.concave_share +
+           relative_length * (std::max)(least_relative_length, clues.relative_length) +
+           segment_size * clues.segment_size + larger_widening * clues.larger_widening +
+           smaller_widening * clues.smaller_widening + larger_shoulder * shoulder +
+           smaller_shoulder * clues.smaller_shoulder + roundness * clues.roundness + neighbors * clues.neighbors +
+           contrast * clues.contrast + mean_cost * clues.mean_cost + thickness * clues.thickness +
+           several_loops * clues.several_loops + flatness * (std::max)(0., clues.flatness - least_flatness);
+  }
+};
+
+// The constants of the default method that a benchmark may vary. Lengths are in units of the square root of
+// the area of the surface. All were chosen on half of the development models of the Princeton benchmark and lie
+// on plateaus, unless said otherwise.
+struct Cut_options
+{
+  // A cut along a seam of concave curvature c costs least + (1 - least) exp(-decay c) per unit of length.
+  double least_cost = 0.02;
+  double cost_decay = 0.1;
+  double convex_share = 0.2; // a ridge counts as a seam of that share of its curvature
+
+  std::size_t level_sets = 10;      // candidates of a segment that are level sets of distances from tips,
+  std::size_t regions = 8;          // and connected regions
+  std::size_t refined = 8;          // of these, the ones of largest value get minimum cuts
+  std::size_t number_of_sets = 3;   // width of the beam; wider ones exploit errors of the value
+  std::size_t cuts_of_set = 4;      // further cuts of a set of cuts that are looked at
+  std::size_t searched_at_once = 4; // segments, side by side
+  // the value of a cut relative to the area of its segment that is expected at most: 1/2 is possible, this is rare
+  double largest_relative_value = 0.4;
+  bool moves_borders_on_faces = true; // borders become minimum cuts once more on the faces
+
+  // Without a number of segments: the largest drop of the gain between these two ends the segmentation.
+  double surely_protrusion = 0.06;
+  double least_protrusion = 0.02;
+
+  Cut_weights weights = {};
+
+  double cost(double border_length, double curvature) const
+  {
+    const double strength = curvature > 0 ? curvature : -curvature * convex_share;
+    return border_length * (least_cost + (1 - least_cost) * std::exp(-cost_decay * strength));
+  }
+};
+
+inline double logistic(double log_odds)
+{
+  return 1 / (1 + std::exp(-log_odds));
+}
+
+// The probability that people put two points on different sides of a border into different segments. The log odds that cuts
+// are chosen by overestimate it, since the best of many cuts is chosen: both constants calibrate them (`border_probabilities`).
+inline double probability_of_border(double log_odds)
+{
+  constexpr double probability_bias = 0.53;
+  constexpr double probability_slope = 0.25;
+  return logistic(probability_bias + probability_slope * log_odds);
+}
+
+// A side of a cut with a smaller share of the surface is a detail of the mesh and no segment of the shape.
+constexpr double least_area_of_segment = 0.0025;
+
+inline bool is_large_enough(double area, double segment_area)
+{
+  return (std::min)(area, segment_area - area) >= least_area_of_segment;
+}
+
+// The cost of a cut relative to an area. The exponent lies between the relative length of a loop on a surface, 1/2,
+// which finds the smallest necks, and the ratio cut, 1, which finds halves: 3/4.
+inline double cost_for_area(double cost, double area)
+{
+  return cost / (std::sqrt(area) * std::sqrt(std::sqrt(area)));
+}
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_OPTIONS_H

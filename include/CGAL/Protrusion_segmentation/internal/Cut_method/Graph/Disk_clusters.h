@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_DISK_CLUSTERS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_DISK_CLUSTERS_H
+
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/contract_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
+
+#include <CGAL/number_utils.h>
+
+#include <boost/heap/d_ary_heap.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Divides a connected graph into clusters by a Poisson disk sampling: seeds that are farther from each other than a
+// radius, so many that no node is farther from all of them. Every node goes to the nearest seed, with arcs across concave seams
+// longer. Clusters are connected.
+//
+// Which nodes become seeds depends on the places of the nodes in the canonical frame of the surface: their order is that of
+// random numbers of the cells of a grid, which are the same on both sides of the coordinate planes. So clusters depend on
+// the shape: other triangles change the clusters nearby and no others, and a shape with mirror symmetry gets mirrored ones.
+class Disk_clusters
+{
+public:
+  using Index = Dual_graph::Index;
+
+  // The arguments must outlive the object.
+  Disk_clusters(const Seam_graph& graph, const Centres& centre)
+    : m_graph(graph), m_centre(centre), m_distances(graph.number_of_nodes())
+  {}
+
+  // At most `largest_number`: the radius grows until there are few enough.
+  Clusters operator()(Index largest_number, Execution& execution)
+  {
+    constexpr double growth = 1.25;
+    sort_nodes_by_priority();
+    for (double radius = disk_radius; !select_seeds(radius, largest_number, execution);)
+      radius *= growth;
+    return clusters();
+  }
+
+private:
+  // In units of the square root of the area: some two thousand clusters. From .018 to .026 errors are the same within chance.
+  static constexpr double disk_radius = 0.022;
+
+  struct Place
+  {
+    std::uint64_t priority; // of the cell
+    float offset;           // from the centre of the cell
+    Index node;
+
+    bool operator<(const Place& other) const
+    {
+      return std::tie(priority, offset, node) < std::tie(other.priority, other.offset, other.node);
+    }
+  };
+
+  void sort_nodes_by_priority()
+  {
+    m_places.reserve(m_graph.number_of_nodes());
+    for (Index i = 0; i < m_graph.number_of_nodes(); ++i)
+      m_places.push_back(place(i));
+    std::sort(m_places.begin(), m_places.end());
+  }
+
+  Place place(Index node) const
+  {
+    constexpr double cell_size = disk_radius / 2; // smaller than a disk, larger than most faces
+    // of 21 bits; no surface that is 1 in area gets as far in any sensible number of faces
+    constexpr double largest_coordinate = (1 << 21) - 1;
+    std::uint64_t cell = 0;
+    double squared_offset = 0;
+    for (const float coordinate : {m_centre[node].x(), m_centre[node].y(), m_centre[node].z()})
+    {
+      const double x = std::abs(coordinate) / cell_size;
+      const double corner = std::floor((std::min)(x, largest_coordinate));
+      cell = cell << 21 | static_cast<std::uint64_t>(corner);
+      squared_offset += CGAL::square(x - corner - 0.5);
+    }
+    return {mixed(cell), static_cast<float>(squared_offset), node};
+  }
+
+  // A permutation of the numbers of 64 bits without any order, the finalizer of MurmurHash3.
+  static std::uint64_t mixed(std::uint64_t bits)
+  {
+    bits = (bits ^ bits >> 33) * 0xff51afd7ed558ccd;
+    bits = (bits ^ bits >> 33) * 0xc4ceb9fe1a85ec53;
+    return bits ^ bits >> 33;
+  }
+
+  // Returns whether there are no more than `largest_number`.
+  bool select_seeds(double radius, Index largest_number, Execution& execution)
+  {
+    std::fill(m_distances.begin(), m_distances.end(), infinity);
+    m_seeds.clear();
+    for (const Place& place : m_places)
+    {
+      if (m_distances[place.node] < infinity)
+        continue;
+      if (m_seeds.size() == largest_number)
+        return false;
+      execution.check();
+      m_seeds.push_back(place.node);
+      offer(place.node, 0);
+      spread(m_graph.lengths(), static_cast<float>(radius), [](Index, Index) {});
+    }
+    return true;
+  }
+
+  // Every node to its nearest seed.
+  Clusters clusters()
+  {
+    Clusters result;
+    result.number = static_cast<Index>(m_seeds.size());
+    result.of_node.resize(m_graph.number_of_nodes());
+    std::fill(m_distances.begin(), m_distances.end(), infinity);
+    std::sort(m_seeds.begin(), m_seeds.end());
+    for (Index s = 0; s < m_seeds.size(); ++s)
+    {
+      offer(m_seeds[s], 0);
+      result.of_node[m_seeds[s]] = s;
+    }
+    spread(m_graph.seam_lengths(), infinity, [&](Index from, Index to) { result.of_node[to] = result.of_node[from]; });
+    return result;
+  }
+
+  void offer(Index node, float distance)
+  {
+    m_distances[node] = distance;
+    m_queue.push(float_key(distance, node));
+  }
+
+  // Dijkstra's algorithm from the nodes that were offered, as far as they are nearer than earlier ones. Equally near nodes
+  // come in the order of their numbers. Calls `step(from, to)` whenever a path to a node is the shortest so far.
+  template <typename Length, typename Step>
+  void spread(Length length, float limit, Step step)
+  {
+    while (!m_queue.empty())
+    {
+      const Index node = index_of(m_queue.top());
+      const float distance = float_of(m_queue.top());
+      m_queue.pop();
+      if (distance > m_distances[node])
+        continue;
+      for (Index arc : m_graph.arcs(node))
+      {
+        const Index neighbor = m_graph.target[arc];
+        const float beyond = distance + static_cast<float>(length(arc));
+        if (!(beyond < m_distances[neighbor] && beyond <= limit))
+          continue;
+        offer(neighbor, beyond);
+        step(node, neighbor);
+      }
+    }
+  }
+
+  static constexpr float infinity = (std::numeric_limits<float>::infinity)();
+
+  const Seam_graph& m_graph;
+  const Centres& m_centre;
+  std::vector<Place> m_places; // by priority
+  std::vector<Index> m_seeds;
+  std::vector<float> m_distances; // of every node to the nearest seed
+  boost::heap::d_ary_heap<Float_key, boost::heap::arity<4>, boost::heap::compare<std::greater<>>> m_queue;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_DISK_CLUSTERS_H

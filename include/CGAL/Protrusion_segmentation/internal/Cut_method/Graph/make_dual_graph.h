@@ -1,0 +1,168 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_MAKE_DUAL_GRAPH_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_MAKE_DUAL_GRAPH_H
+
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/average_normals.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// Six times the signed volume of a closed surface. Of one with borders it is taken as if every border were
+// closed by a fan around the origin, which lies in the middle of the surface.
+inline double signed_volume(const Indexed_surface& surface, bool is_parallel)
+{
+  const Indexed_surface::Point_3 origin(0, 0, 0);
+  return add_numbers(surface.number_of_faces(), is_parallel, 0., [&](double& sum, Indexed_surface::Index f)
+                     { sum += surface.area_vector(f) * (surface.centroid(f) - origin); });
+}
+
+inline double unit_of_length(const Indexed_surface& surface)
+{
+  return surface.area() > 0 ? std::sqrt(surface.area()) : 1;
+}
+
+// The centroids of the faces, around the centre of gravity of the surface and in units of the square root of its area.
+inline Centres centres_of_faces(const Indexed_surface& surface, bool is_parallel)
+{
+  const Indexed_surface::Point_3 origin(0, 0, 0);
+  Indexed_surface::Vector_3 moment(0, 0, 0);
+  for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
+    moment += surface.area(f) * (surface.centroid(f) - origin);
+  const Indexed_surface::Point_3 middle = surface.area() > 0 ? origin + moment / surface.area() : origin;
+  const double unit = unit_of_length(surface);
+  Centres centres(surface.number_of_faces());
+  for_each_number(centres.size(), is_parallel, [&](Indexed_surface::Index f)
+                  { centres[f] = centre(origin + (surface.centroid(f) - middle) / unit); });
+  return centres;
+}
+
+// The dual graph of a surface: one node a face, one arc from each side of an edge.
+class Dual_graph_maker
+{
+public:
+  using Index = Indexed_surface::Index;
+
+  explicit Dual_graph_maker(const Indexed_surface& surface) : m_surface(surface), m_unit(unit_of_length(surface)) {}
+
+  void operator()(Dual_graph& graph, bool is_parallel) const
+  {
+    number_arcs(graph);
+    for_each_number(m_surface.number_of_faces(), is_parallel, [&](Index f) { measure(f, graph); });
+  }
+
+private:
+  void number_arcs(Dual_graph& graph) const
+  {
+    const Index n = m_surface.number_of_faces();
+    graph.first_arc.reserve(n + 1);
+    Index number_of_arcs = 0;
+    for (Index f = 0; f < n; ++f)
+    {
+      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+        number_of_arcs += m_surface.neighbor(c) != Indexed_surface::no_face();
+      graph.first_arc.push_back(number_of_arcs);
+    }
+    graph.area.resize(n);
+    graph.target.resize(number_of_arcs);
+    graph.length.resize(number_of_arcs);
+    graph.border_length.resize(number_of_arcs);
+  }
+
+  void measure(Index f, Dual_graph& graph) const
+  {
+    graph.area[f] = m_surface.area(f) / (m_unit * m_unit);
+    Index arc = graph.first_arc[f];
+    for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+      if (m_surface.neighbor(c) != Indexed_surface::no_face())
+        measure_arc(arc++, f, c, graph);
+  }
+
+  void measure_arc(Index arc, Index f, Index corner, Dual_graph& graph) const
+  {
+    constexpr double least_length = 1e-9; // centroids in one place must not make an infinite curvature
+    const Index g = m_surface.neighbor(corner);
+    const double length = std::sqrt((m_surface.centroid(g) - m_surface.centroid(f)).squared_length()) / m_unit;
+    graph.target[arc] = g;
+    graph.length[arc] = static_cast<float>((std::max)(length, least_length));
+    graph.border_length[arc] = static_cast<float>(m_surface.edge_length(f, corner) / m_unit);
+  }
+
+  const Indexed_surface& m_surface;
+  double m_unit;
+};
+
+// Finds the seams of a surface: an edge is concave if the averaged normals of its two faces lean towards each other. The sign
+// of the volume decides which side is inside.
+class Seam_finder
+{
+public:
+  using Index = Indexed_surface::Index;
+
+  // The arguments must outlive the object.
+  Seam_finder(const Indexed_surface& surface, const Cut_options& options, Execution& execution)
+    : m_surface(surface), m_options(options), m_execution(execution)
+  {}
+
+  // `graph` has all of a dual graph, `centre` its centres.
+  void operator()(Seam_graph& graph, const Centres& centre) const
+  {
+    graph.is_flat = is_flat(m_surface, m_execution.is_parallel());
+    const double outward = !graph.is_flat && signed_volume(m_surface, m_execution.is_parallel()) < 0 ? -1 : 1;
+    const Triples normals = average_normals(m_surface, graph, centre, graph.is_flat, m_execution);
+    for (std::vector<float>* weights : {&graph.curvature, &graph.concave_length, &graph.capacity})
+      weights->resize(graph.target.size());
+    for_each_number(graph.number_of_nodes(), m_execution.is_parallel(),
+                    [&](Index f)
+                    {
+                      for (Index arc : graph.arcs(f))
+                        weigh(graph, arc, outward * angle(f, graph.target[arc], normals));
+                    });
+  }
+
+private:
+  // Between the normals of two faces, positive where these lean towards each other.
+  double angle(Index f, Index g, const Triples& normals) const
+  {
+    const Triple &n = normals[f], &m = normals[g];
+    const Indexed_surface::Vector_3 turn(m[0] - n[0], m[1] - n[1], m[2] - n[2]);
+    // by the chord: the cosine of a small angle is inaccurate
+    const double size = 2 * std::asin((std::min)(1., std::sqrt(turn.squared_length()) / 2));
+    return turn * (m_surface.centroid(g) - m_surface.centroid(f)) < 0 ? size : -size;
+  }
+
+  void weigh(Seam_graph& graph, Index arc, double angle) const
+  {
+    constexpr double largest_curvature = 60; // beyond it, a radius of 1/60, is tessellation
+    constexpr double seam_curvature = 2;     // from which on an edge lies in a seam: a radius of 1/2
+    const double strength = (std::min)(largest_curvature, std::abs(angle) / graph.length[arc]);
+    const double curvature = angle > 0 ? strength : -strength;
+    graph.curvature[arc] = static_cast<float>(curvature);
+    graph.concave_length[arc] = curvature > seam_curvature ? graph.border_length[arc] : 0;
+    graph.capacity[arc] = static_cast<float>(m_options.cost(graph.border_length[arc], curvature));
+  }
+
+  const Indexed_surface& m_surface;
+  const Cut_options& m_options;
+  Execution& m_execution;
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_MAKE_DUAL_GRAPH_H

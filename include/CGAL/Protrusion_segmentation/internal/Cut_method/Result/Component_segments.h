@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_RESULT_COMPONENT_SEGMENTS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_RESULT_COMPONENT_SEGMENTS_H
+
+#include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Border_arcs.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Face_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/Borders_of_cuts.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+namespace internal {
+
+// The segments of a connected surface that a set of cuts makes: the faces of each and their tree. The body is segment 0;
+// the others are in the order in which their borders were chosen.
+class Component_segments
+{
+public:
+  using Index = Indexed_surface::Index;
+
+  Component_segments(const Graphs_of_surface& graphs,
+                     const Segment_memo& memo,
+                     const Cut_set& set,
+                     const Cut_options& options,
+                     Execution& execution)
+    : m_graphs(graphs), m_memo(memo), m_set(set), m_is_parallel(execution.is_parallel()), m_labels(graphs.node_of_face)
+  {
+    number_leaves();
+    for (Index& label : m_labels) // still the node
+      label = m_leaf_of_node[label];
+    if (options.moves_borders_on_faces && set.segments.size() > 1)
+      move_borders(execution);
+    arrange();
+  }
+
+  std::size_t number_of_segments() const { return m_set.segments.size(); }
+  // the segment of every face
+  const std::vector<Index>& labels() const { return m_labels; }
+  // the segment that each sticks out of; the body is its own
+  const std::vector<Index>& parents() const { return m_parents; }
+  // of each with all that sticks out of it
+  const std::vector<double>& areas_beyond() const { return m_areas_beyond; }
+  // the cut whose border each has to its parent; none of the body
+  const Cut_set::Made_cut* cut(std::size_t segment) const
+  {
+    return segment == 0 ? nullptr : &m_set.cuts[m_cuts[segment]];
+  }
+
+private:
+  // The segments that are left are the leaves of the tree of cuts.
+  void number_leaves()
+  {
+    m_leaf_of_node.resize(m_graphs.coarse.number_of_nodes());
+    const std::vector<Index> segments = m_set.in_order_of_cuts();
+    for (Index leaf = 0; leaf < segments.size(); ++leaf)
+    {
+      for (Index i : m_memo[segments[leaf]].segment.nodes)
+        m_leaf_of_node[i] = leaf;
+      m_leaves[segments[leaf]] = {leaf};
+    }
+    for (auto cut = m_set.cuts.rbegin(); cut != m_set.cuts.rend(); ++cut)
+    {
+      std::vector<Index> both = m_leaves[cut->inner];
+      both.insert(both.end(), m_leaves[cut->outer].begin(), m_leaves[cut->outer].end());
+      m_leaves[cut->segment] = std::move(both);
+    }
+  }
+
+  // Of a large surface on groups of faces first: on the faces, borders have a short way then.
+  void move_borders(Execution& execution)
+  {
+    if (m_graphs.groups)
+    {
+      const std::vector<Index>& group = m_graphs.group_of_face;
+      std::vector<Index> labels(m_graphs.groups->number_of_nodes());
+      for (Index f = 0; f < m_labels.size(); ++f)
+        labels[group[f]] = m_labels[f];
+      labels = Face_borders(*m_graphs.groups, std::move(labels), number_of_segments())(band_of_clusters, execution);
+      for (Index f = 0; f < m_labels.size(); ++f)
+        m_labels[f] = labels[group[f]];
+    }
+    m_labels = Face_borders(m_graphs.fine, std::move(m_labels), number_of_segments())(
+      m_graphs.groups ? band_of_groups : band_of_clusters, execution);
+  }
+
+  // Gives the leaves their final numbers.
+  void arrange()
+  {
+    std::vector<double> areas(number_of_segments(), 0);
+    for (Index f = 0; f < m_labels.size(); ++f)
+      areas[m_labels[f]] += m_graphs.fine.area[f];
+    const Borders_of_cuts::Lengths lengths = Border_arcs(m_graphs.fine, m_labels, m_is_parallel).lengths();
+    const Segment_tree tree(areas, Borders_of_cuts(lengths, sides_of_cuts())());
+    std::vector<std::pair<std::size_t, Index>> order; // by the border to the parent, the body first
+    for (Index leaf = 0; leaf < areas.size(); ++leaf)
+      order.emplace_back(leaf == tree.body() ? 0 : tree.border_to_parent(leaf) + 1, leaf);
+    std::sort(order.begin(), order.end());
+    std::vector<Index> number(areas.size());
+    for (Index s = 0; s < order.size(); ++s)
+      number[order[s].second] = s;
+    for (const auto& [border, leaf] : order)
+    {
+      m_parents.push_back(number[tree.parent(leaf)]);
+      m_areas_beyond.push_back(tree.area_beyond(leaf));
+      m_cuts.push_back(border == 0 ? 0 : border - 1);
+    }
+    for (Index& label : m_labels)
+      label = number[label];
+  }
+
+  std::vector<Sides_of_cut> sides_of_cuts() const
+  {
+    std::vector<Sides_of_cut> result;
+    for (const Cut_set::Made_cut& cut : m_set.cuts)
+      result.push_back({m_leaves.at(cut.inner), m_leaves.at(cut.outer)});
+    return result;
+  }
+
+  const Graphs_of_surface& m_graphs;
+  const Segment_memo& m_memo;
+  const Cut_set& m_set;
+  bool m_is_parallel;
+  std::vector<Index> m_labels;
+  std::vector<Index> m_leaf_of_node;
+  std::map<Index, std::vector<Index>> m_leaves; // in every segment of the memo that was one
+  std::vector<Index> m_parents;                 // of every segment
+  std::vector<double> m_areas_beyond;           // of every segment
+  std::vector<std::size_t> m_cuts;              // of every segment but the body
+};
+
+} // namespace internal
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_RESULT_COMPONENT_SEGMENTS_H
