@@ -54,8 +54,8 @@ def example_meshes(programs, tmp_path_factory):
     """A folder with meshes that are made once."""
     folder = tmp_path_factory.mktemp("example_meshes")
     make = Tool(programs / "make_example_mesh", folder)
-    for shape, name, faces in (("teddy", "teddy", 3000), ("octopus", "octopus", 1000),
-                               ("octopus", "large", 20000)):
+    for shape, name, faces in (("teddy", "teddy", 3000), ("horse", "horse", 1000),
+                               ("hand", "large", 20000)):
         make(shape, f"{name}.off", "--faces", faces)
     return folder
 

@@ -38,8 +38,8 @@ def test_file_that_cannot_be_written(make_mesh, name, message):
 
 @pytest.mark.parametrize("extension", ["off", "ply", "obj", "stl"])
 def test_formats(make_mesh, segment, tmp_path, extension):
-    make_mesh("teddy", f"small.{extension}", "--faces", 1000)
+    make_mesh("chair", f"small.{extension}", "--faces", 1000)
     segment(f"small.{extension}", "-k", 2, "-o", "small.seg")
     (tmp_path / f"full.{extension}").symlink_to("/dev/full")
-    make_mesh.refuses("teddy", f"full.{extension}", "--faces", 1000,
+    make_mesh.refuses("chair", f"full.{extension}", "--faces", 1000,
                       message=f"full.{extension}: cannot be written")

@@ -137,7 +137,7 @@ def test_pipe(segment, data, name):
 
 @pytest.mark.parametrize("extension", ["obj", "ply", "stl"])
 def test_pipe_of_a_larger_mesh(segment, make_mesh, tmp_path, extension):
-    make_mesh("teddy", f"a.{extension}", "--faces", 1000)
+    make_mesh("chair", f"a.{extension}", "--faces", 1000)
     content = (tmp_path / f"a.{extension}").read_bytes()
     assert len(segment("-", *"-k 2 -o -".split(), input=content).out.splitlines()) >= 1000
 

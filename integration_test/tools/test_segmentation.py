@@ -3,6 +3,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Numbers of segments, distances, and that two calls do the same."""
 
+import re
+
 import pytest
 
 from tool import names_in
@@ -34,7 +36,7 @@ def test_two_threads_find_the_same(segment, teddy, tmp_path, libraries, options)
 
 @pytest.mark.parametrize("distance", ["geodesic", "landmark", "diffusion", "heat", "exact"])
 def test_distance(segment, example_meshes, distance):
-    record = segment.record(example_meshes / "octopus.off", "-k", 3, "--distance", distance)
+    record = segment.record(example_meshes / "horse.off", "-k", 3, "--distance", distance)
     assert record["distance"] == distance
     assert record["segments"] == 3
     assert (record["landmarks"] is None) == (distance != "landmark")
@@ -43,7 +45,7 @@ def test_distance(segment, example_meshes, distance):
 
 
 def test_minimum_cut_has_a_distance_of_its_own(segment, example_meshes):
-    record = segment.record(example_meshes / "octopus.off", "-k", 3)
+    record = segment.record(example_meshes / "horse.off", "-k", 3)
     assert record["method"] == "minimum-cut"
     assert record["distance"] is None
     assert "preparation" in [stage["stage"] for stage in record["stages"]]
@@ -53,7 +55,7 @@ def test_minimum_cut_has_a_distance_of_its_own(segment, example_meshes):
 
 
 def test_options_of_the_diffusion_distance(segment, example_meshes):
-    record = segment.record(example_meshes / "octopus.off",
+    record = segment.record(example_meshes / "horse.off",
                             *"-k 3 --distance diffusion --eigenpairs 5 --time 0".split())
     assert record["eigenpairs"] == 5
     assert record["diffusion_time"] == 0
@@ -90,8 +92,9 @@ def test_more_segments_than_faces(segment, tetrahedron, tmp_path):
 
 
 def test_no_protrusion(segment, tetrahedron):
-    assert "found no evident protrusion" in segment(tetrahedron).err
-    assert segment.record(tetrahedron)["note"].startswith("found no evident protrusion")
+    note = "found no (evident )?protrusion"
+    assert re.search(note, segment(tetrahedron).err)
+    assert re.match(note, segment.record(tetrahedron)["note"])
 
 
 @pytest.mark.parametrize("unit, area", [("e100", 6e200), ("e-100", 6e-200)])
