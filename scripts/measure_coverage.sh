@@ -24,9 +24,10 @@ for program in "$folder"/test_*; do
   objects+=(-object "$program")
 done
 for name in fuzz_seg_replay fuzz_mesh_replay; do
-  if [ -x "$build/checks/$name" ]; then
-    LLVM_PROFILE_FILE=$profiles/$name.profraw "$build/checks/$name" checks/data checks/fuzz/corpus >/dev/null
-    objects+=(-object "$build/checks/$name")
+  if [ -x "$build/integration_test/$name" ]; then
+    LLVM_PROFILE_FILE=$profiles/$name.profraw "$build/integration_test/$name" \
+        integration_test/data integration_test/fuzz/corpus >/dev/null
+    objects+=(-object "$build/integration_test/$name")
   fi
 done
 llvm-profdata merge -sparse "$profiles"/*.profraw -o "$profiles/all.profdata"

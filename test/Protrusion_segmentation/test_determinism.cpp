@@ -52,13 +52,15 @@ std::map<std::string, Mesh> meshes()
           {"random", rounded(jittered(random_surface(3), 0.5, 3))}};
 }
 
+constexpr std::size_t usual_number_of_segments = 6;
+
 template <typename Segmentation_method>
-Method method(const Segmentation_method& segmentation_method)
+Method method(const Segmentation_method& segmentation_method, std::size_t k = usual_number_of_segments)
 {
-  return [segmentation_method](const Mesh& mesh)
+  return [segmentation_method, k](const Mesh& mesh)
   {
     return checked(mesh, [&](auto ids)
-                   { return CGAL::segmentation_via_protrusion_tips(mesh, ids, 6, segmentation_method); })
+                   { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, segmentation_method); })
       .labels;
   };
 }
@@ -122,11 +124,13 @@ void write_golden_labels()
 
 // Some threads, more threads than processors, and one.
 template <typename Segmentation_method>
-void check_threads(const Segmentation_method& segmentation_method, const Test_mesh& test_mesh = creature(0.2))
+void check_threads(const Segmentation_method& segmentation_method,
+                   const Test_mesh& test_mesh = creature(0.2),
+                   std::size_t k = usual_number_of_segments)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const Mesh mesh = rounded(test_mesh);
-  const Labels expected = method(segmentation_method)(mesh);
+  const Labels expected = method(segmentation_method, k)(mesh);
   for (const std::size_t threads : {1, 2, 8})
   {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
@@ -134,7 +138,7 @@ void check_threads(const Segmentation_method& segmentation_method, const Test_me
       mesh,
       [&](auto ids)
       {
-        return CGAL::segmentation_via_protrusion_tips<CGAL::Parallel_tag>(mesh, ids, 6,
+        return CGAL::segmentation_via_protrusion_tips<CGAL::Parallel_tag>(mesh, ids, k,
                                                                           segmentation_method);
       });
     CHECK(found.labels == expected);
@@ -142,7 +146,26 @@ void check_threads(const Segmentation_method& segmentation_method, const Test_me
 #else
   static_cast<void>(segmentation_method);
   static_cast<void>(test_mesh);
+  static_cast<void>(k);
 #endif
+}
+
+// Of a few faces each, and among them figures with arms to cut off.
+constexpr std::size_t number_of_small_components = 240;
+
+Test_mesh small_components()
+{
+  const std::vector<Test_mesh> shapes = {tetrahedron(), box(), regular_prism(5), icosahedron(),
+                                         box(4, 1, 1)};
+  const Test_mesh figure = star(4, 1, 0.3, 0.05, 0.3);
+  std::vector<Test_mesh> result;
+  for (std::size_t i = 0; i < number_of_small_components; ++i)
+  {
+    const Test_mesh& shape = i % 40 == 0 ? figure : shapes[i % shapes.size()];
+    const Point place{10. * static_cast<double>(i % 16), 10. * static_cast<double>(i / 16), 0};
+    result.push_back(translated(shape, place));
+  }
+  return merged(result);
 }
 
 void the_number_of_threads_does_not_matter()
@@ -150,8 +173,15 @@ void the_number_of_threads_does_not_matter()
   check_threads(Histogram_method());
   check_threads(Histogram_method(Landmark_geodesic_distance()));
   check_threads(Minimum_cut_method());
-  check_threads(Minimum_cut_method(), bumpy_sphere(6, 1)); // so large that all of it is divided among threads
+  check_threads(Minimum_cut_method(),
+                bumpy_sphere(6, 1)); // so large that all of it is divided among threads
   check_threads(Minimum_cut_method(Landmark_geodesic_distance()));
+  for (const std::size_t further_segments : {0, 12})
+  {
+    const std::size_t k = number_of_small_components + further_segments;
+    check_threads(Minimum_cut_method(), small_components(), k);
+    check_threads(Histogram_method(), small_components(), k);
+  }
 }
 
 // No digit of a coordinate changes, hence no label.

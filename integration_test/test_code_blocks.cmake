@@ -4,7 +4,7 @@
 
 file(GLOB_RECURSE compiled_files
      ${SOURCE_FOLDER}/examples/Protrusion_segmentation/*.cpp
-     ${SOURCE_FOLDER}/checks/installed_package/*)
+     ${SOURCE_FOLDER}/integration_test/installed_package/*)
 set(compiled "")
 foreach(file ${compiled_files})
   file(READ ${file} text)

@@ -33,7 +33,7 @@ ln -s "$include/CGAL" "$branch/All_other_packages/include/CGAL"
 for folder in examples test; do
   programs=()
   [ $folder = examples ] || programs=("$@")
-  "$root/checks/build_as_cgal.sh" "$branch/Protrusion_segmentation/$folder/Protrusion_segmentation" "$work/$folder" \
+  "$root/integration_test/build_as_cgal.sh" "$branch/Protrusion_segmentation/$folder/Protrusion_segmentation" "$work/$folder" \
     "$branch/Installation/lib/cmake/CGAL" ${programs[@]+"${programs[@]}"}
   grep -q "^CGAL_DIR:[A-Z]*=$branch/Installation" "$work/$folder/CMakeCache.txt"
 done

@@ -1,0 +1,45 @@
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""make_example_mesh."""
+
+import pytest
+
+from mesh_files import OffFile
+
+
+@pytest.mark.parametrize("shape, handles", [
+    ("octopus", 0), ("teddy", 0), ("hand", 0), ("horse", 0),
+    ("chair", 1),  # below the back
+])
+def test_shape(make_mesh, tmp_path, shape, handles):
+    first, second = tmp_path / "1.off", tmp_path / "2.off"
+    for path in (first, second):
+        make_mesh(shape, path, "--faces", 2000)
+    assert first.read_bytes() == second.read_bytes()
+    mesh = OffFile(first)
+    assert all(len(face) == 3 for face in mesh.faces)
+    assert mesh.is_closed()
+    assert 2000 <= len(mesh.faces) <= 2500
+    assert len(mesh.points) - len(mesh.faces) / 2 == 2 - 2 * handles
+
+
+def test_unknown_shape(make_mesh):
+    make_mesh.refuses("snail", "snail.off", code=2)
+
+
+@pytest.mark.parametrize("name, message", [
+    ("missing/teddy.off", "missing/teddy.off: cannot be written"),
+    ("teddy.xyz", "teddy.xyz: cannot be written: only .off, .ply, .obj and .stl are known"),
+])
+def test_file_that_cannot_be_written(make_mesh, name, message):
+    make_mesh.refuses("teddy", name, "--faces", 1000, message=message)
+
+
+@pytest.mark.parametrize("extension", ["off", "ply", "obj", "stl"])
+def test_formats(make_mesh, segment, tmp_path, extension):
+    make_mesh("chair", f"small.{extension}", "--faces", 1000)
+    segment(f"small.{extension}", "-k", 2, "-o", "small.seg")
+    (tmp_path / f"full.{extension}").symlink_to("/dev/full")
+    make_mesh.refuses("chair", f"full.{extension}", "--faces", 1000,
+                      message=f"full.{extension}: cannot be written")

@@ -1,0 +1,105 @@
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Numbers of segments, distances, and that two calls do the same."""
+
+import re
+
+import pytest
+
+from tool import names_in
+
+
+@pytest.mark.parametrize("options", [
+    "", "--method paper", "--distance landmark", "--distance landmark --landmarks 20 --seed 7",
+    "--distance diffusion", "--distance heat"])
+def test_two_runs_are_the_same(segment, teddy, tmp_path, options):
+    for name in ("a", "b"):
+        segment(teddy, "-k", 6, *options.split(),
+                *f"-o {name}.seg -o {name}.ply -o {name}.glb".split())
+    for extension in ("seg", "ply", "glb"):
+        first, second = (tmp_path / f"{name}.{extension}" for name in ("a", "b"))
+        assert first.read_bytes() == second.read_bytes()
+
+
+@pytest.mark.parametrize("options", ["", "--method paper", "--method paper --distance landmark"])
+def test_two_threads_find_the_same(segment, teddy, tmp_path, libraries, options):
+    if "tbb" not in libraries:
+        segment.refuses(teddy, "--threads", 2, code=2, message="oneTBB was not found")
+        return
+    for threads in (1, 2):
+        record = segment.record(teddy, "-k", 6, *options.split(), "--threads", threads,
+                                "-o", f"{threads}.seg")
+        assert record["threads"] == threads
+    assert (tmp_path / "1.seg").read_bytes() == (tmp_path / "2.seg").read_bytes()
+
+
+@pytest.mark.parametrize("distance", ["geodesic", "landmark", "diffusion", "heat", "exact"])
+def test_distance(segment, example_meshes, distance):
+    record = segment.record(example_meshes / "horse.off", "-k", 3, "--distance", distance)
+    assert record["distance"] == distance
+    assert record["segments"] == 3
+    assert (record["landmarks"] is None) == (distance != "landmark")
+    assert (record["eigenpairs"] is None) == (distance != "diffusion")
+    assert (record["diffusion_time"] is None) == (distance != "diffusion")
+
+
+def test_minimum_cut_has_a_distance_of_its_own(segment, example_meshes):
+    record = segment.record(example_meshes / "horse.off", "-k", 3)
+    assert record["method"] == "minimum-cut"
+    assert record["distance"] is None
+    assert "preparation" in [stage["stage"] for stage in record["stages"]]
+    for protrusion in record["protrusions"]:
+        assert protrusion["border_slot"] is None
+        assert "value" in protrusion
+
+
+def test_options_of_the_diffusion_distance(segment, example_meshes):
+    record = segment.record(example_meshes / "horse.off",
+                            *"-k 3 --distance diffusion --eigenpairs 5 --time 0".split())
+    assert record["eigenpairs"] == 5
+    assert record["diffusion_time"] == 0
+
+
+def test_more_eigenpairs_than_faces(segment, tetrahedron):
+    segment(tetrahedron, *"--distance diffusion --eigenpairs 300".split())
+    segment.refuses(tetrahedron, *"--distance diffusion --eigenpairs 1000000".split(), code=2)
+
+
+def test_note_on_many_eigenpairs(segment, teddy):
+    result = segment(teddy, *"-k 4 --distance diffusion --eigenpairs 101".split())
+    assert "101 eigenpairs on " in result.err
+
+
+def test_fewer_segments_than_components(segment, data):
+    result = segment(data / "two_components.off", "-k", 1, "--json", "-")
+    assert "found 2 segments instead of 1" in result.err
+    record = segment.record(data / "two_components.off", "-k", 1)
+    assert record["segments"] == 2
+    assert record["note"].startswith("found 2 segments instead of 1")
+
+
+def test_as_many_segments_as_faces(segment, tetrahedron):
+    result = segment(tetrahedron, "-k", 4, "--json", "-")
+    record = segment.record(tetrahedron, "-k", 4)
+    assert record["segments_requested"] == 4
+    assert record["segments"] == 4 or "of 4 segments" in result.err
+
+
+def test_more_segments_than_faces(segment, tetrahedron, tmp_path):
+    segment.refuses(tetrahedron, "-k", 5, "-o", "five.seg", message="tetrahedron.off: has 4 faces")
+    assert names_in(tmp_path) == []
+
+
+def test_no_protrusion(segment, tetrahedron):
+    note = "found no (evident )?protrusion"
+    assert re.search(note, segment(tetrahedron).err)
+    assert re.match(note, segment.record(tetrahedron)["note"])
+
+
+@pytest.mark.parametrize("unit, area", [("e100", 6e200), ("e-100", 6e-200)])
+def test_squares_of_areas_beyond_double(segment, tmp_path, unit, area):
+    content = f"OFF\n3 1 0\n0 0 0\n3{unit} 0 0\n0 4{unit} 0\n3 0 1 2\n"
+    (tmp_path / "triangle.off").write_text(content)
+    record = segment.record("triangle.off", "-o", "triangle.seg")
+    assert record["measures"][0]["area"] == area
