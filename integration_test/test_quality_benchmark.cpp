@@ -11,6 +11,7 @@
 #include "Segmentation_folder.h"
 #include "bootstrap.h"
 #include "comparison.h"
+#include "rand_index_error_of_benchmark.h"
 
 #include <algorithm>
 #include <cmath>
@@ -303,6 +304,22 @@ void test_models()
   CHECK_THROWS_WITH(folder.read_model(3), std::runtime_error, "3.off: line 6: ");
 }
 
+// The benchmark's program divides the number of disagreeing pairs by n * floor((n - 1) / 2).
+void test_rand_index_error()
+{
+  const auto converted = [](double disagreements, std::size_t n)
+  { return rand_index_error_of_benchmark(disagreements / (static_cast<double>(n * (n - 1)) / 2), n); };
+  CHECK_CLOSE(converted(3, 4), 3 / (4 * 1.), 1e-15);
+  CHECK_CLOSE(converted(9, 6), 9 / (6 * 2.), 1e-15);
+  CHECK_CLOSE(converted(2, 3), 2 / (3 * 1.), 1e-15);
+  CHECK_CLOSE(converted(6, 5), 6 / (5 * 2.), 1e-15);
+  CHECK_EQUAL(converted(6, 4), 1); // 6 / 4, cut
+  CHECK_EQUAL(converted(0, 4), 0);
+  CHECK_EQUAL(converted(1, 2), 1); // one pair, though floor(1 / 2) is 0
+  CHECK_EQUAL(rand_index_error_of_benchmark(0, 1), 0);
+  CHECK_EQUAL(rand_index_error_of_benchmark(0, 0), 0);
+}
+
 } // namespace
 
 int main()
@@ -319,5 +336,6 @@ int main()
   test_wrong_folders();
   test_written_folder();
   test_models();
+  test_rand_index_error();
   return check::result();
 }

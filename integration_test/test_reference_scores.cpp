@@ -12,9 +12,9 @@
 // package.
 
 #include "check.h"
+#include "rand_index_error_of_benchmark.h"
 
 #include <CGAL/IO/SEG.h>
-#include <CGAL/Protrusion_segmentation/internal/Metrics/rand_index_error_of_benchmark.h>
 #include <CGAL/boost/graph/IO/polygon_mesh_io.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -97,8 +97,7 @@ std::vector<double> scores(const Mesh& mesh, Segment_id_map segment_ids, Segment
   const auto metrics = CGAL::segmentation_metrics(mesh, segment_ids, reference_ids);
   const auto& consistency = metrics.consistency_error;
   const auto& hamming = metrics.hamming_distance;
-  const double rand_index_error = CGAL::Protrusion_segmentation::internal::rand_index_error_of_benchmark(
-    metrics.rand_index_error, mesh.number_of_faces());
+  const double rand_index_error = rand_index_error_of_benchmark(metrics.rand_index_error, mesh.number_of_faces());
   return {consistency.global,
           consistency.local,
           consistency.global_by_area,

@@ -9,11 +9,11 @@
 // Benchmark, so that they can stand beside published ones.
 
 #include "command_line/tool_main.h"
+#include "rand_index_error_of_benchmark.h"
 #include "reading/read_mesh.h"
 #include "reading/read_segmentation.h"
 #include "writing/write_output.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Metrics/rand_index_error_of_benchmark.h>
 #include <CGAL/segmentation_metrics.h>
 
 #include <CLI/CLI.hpp>
@@ -128,8 +128,7 @@ Metrics metrics_of_benchmark(const tool::Mesh& mesh,
                              const tool::Segment_ids& reference)
 {
   Metrics metrics = CGAL::segmentation_metrics(mesh, segments, reference);
-  metrics.rand_index_error = CGAL::Protrusion_segmentation::internal::rand_index_error_of_benchmark(
-    metrics.rand_index_error, mesh.number_of_faces());
+  metrics.rand_index_error = rand_index_error_of_benchmark(metrics.rand_index_error, mesh.number_of_faces());
   return metrics;
 }
 

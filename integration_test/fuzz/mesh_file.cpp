@@ -7,9 +7,9 @@
 #include "fuzz_target.h"
 
 #include "reading/read_mesh.h"
+#include "validation.h"
 
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/validation.h>
 #include <CGAL/protrusion_segmentation.h>
 
 #include <filesystem>
@@ -56,7 +56,7 @@ void segment(const tool::Mesh& mesh, std::size_t k, const Method& method)
   const std::size_t number = k == 0 ? CGAL::segmentation_via_protrusion_tips(mesh, map, method)
                                     : CGAL::segmentation_via_protrusion_tips(
                                         mesh, map, (std::min)(k, ids.size()), method);
-  const auto problem = internal::problem_with_segmentation(mesh, map, number);
+  const auto problem = validation::problem_with_segmentation(mesh, map, number);
   require(!problem, problem.value_or(""));
 }
 

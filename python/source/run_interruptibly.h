@@ -5,6 +5,7 @@
 #ifndef PROTRUSION_SEGMENTATION_PYTHON_SOURCE_RUN_INTERRUPTIBLY_H
 #define PROTRUSION_SEGMENTATION_PYTHON_SOURCE_RUN_INTERRUPTIBLY_H
 
+#include "Interrupted_threads.h"
 #include "reading/Mesh.h"
 
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
@@ -21,7 +22,6 @@
 #include <thread>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 namespace python
 {
@@ -35,29 +35,6 @@ public:
 
 private:
   const std::atomic<bool>& m_is_stopped;
-};
-
-// Threads that were interrupted and have still to notice it, which takes them up to some seconds on a large mesh. The
-// process may not end before them: they use what it destroys then.
-class Interrupted_threads
-{
-public:
-  ~Interrupted_threads()
-  {
-    for (std::thread& thread : m_threads)
-      thread.join();
-  }
-  void add(std::thread thread) { m_threads.push_back(std::move(thread)); }
-  // in a process that was forked, which has none of them
-  void forget()
-  {
-    for (std::thread& thread : m_threads)
-      thread.detach();
-    m_threads.clear();
-  }
-
-private:
-  std::vector<std::thread> m_threads;
 };
 
 inline Interrupted_threads& interrupted_threads()
@@ -165,11 +142,17 @@ auto run_interruptibly(Run run)
     });
   auto result = task.get_future();
   interrupted_threads(); // lives longer than the thread
-  std::thread thread(std::move(task));
+  const auto is_over = std::make_shared<std::atomic<bool>>(false);
+  std::thread thread(
+    [task = std::move(task), is_over]() mutable
+    {
+      task();
+      *is_over = true;
+    });
   if (is_interrupted_before(result))
   {
     *is_stopped = true;
-    interrupted_threads().add(std::move(thread));
+    interrupted_threads().add(std::move(thread), is_over);
     throw pybind11::error_already_set();
   }
   thread.join();

@@ -194,25 +194,36 @@ void test_files()
   CHECK(!CGAL::IO::read_SEG(folder.path.string(), mesh, read));
 }
 
-void test_failed_writing_leaves_the_file()
+void test_failed_writing()
 {
   const Scratch_folder folder;
-  const std::string name = (folder.path / "a.seg").string();
-  std::ofstream(name) << "before";
   Mesh mesh = tetrahedron();
   const auto ids = new_ids<int>(mesh);
-  put(ids, *std::prev(faces(mesh).end()), -1);
-
-  CHECK(!CGAL::IO::write_SEG(name, mesh, ids));
-  CHECK_EQUAL(content(name), std::string("before"));
   CHECK(!CGAL::IO::write_SEG((folder.path / "none" / "a.seg").string(), mesh, ids));
   CHECK(!CGAL::IO::write_SEG(folder.path.string(), mesh, ids));
   CHECK(!CGAL::IO::write_SEG("", mesh, ids));
-  CHECK_EQUAL(folder.number_of_files(), 1);
+  CHECK_EQUAL(folder.number_of_files(), 0);
 
+  put(ids, *std::prev(faces(mesh).end()), -1);
+  CHECK(!CGAL::IO::write_SEG((folder.path / "a.seg").string(), mesh, ids));
   std::ostringstream out;
   CHECK(!CGAL::IO::write_SEG(out, mesh, ids));
   CHECK(out.str().empty());
+}
+
+// As by all functions of CGAL that write files: the file itself is written, whatever may be made or replaced beside it.
+void test_a_file_is_written_in_place()
+{
+  const Scratch_folder folder;
+  const fs::path name = folder.path / "a.seg", other_name = folder.path / "b.seg";
+  std::ofstream(name) << "before, and longer than the new content";
+  fs::create_hard_link(name, other_name);
+  fs::permissions(folder.path, fs::perms::owner_read | fs::perms::owner_exec);
+  Mesh mesh = tetrahedron();
+  CHECK(CGAL::IO::write_SEG(name.string(), mesh, new_ids<int>(mesh)));
+  CHECK_EQUAL(content(name), std::string("77\n77\n77\n77\n"));
+  CHECK_EQUAL(content(other_name), content(name));
+  fs::permissions(folder.path, fs::perms::owner_all);
 }
 
 void test_links_are_followed()
@@ -269,7 +280,8 @@ int main()
   test_failed_stream();
   test_verbose_tells_the_cause();
   test_files();
-  test_failed_writing_leaves_the_file();
+  test_failed_writing();
+  test_a_file_is_written_in_place();
   test_links_are_followed();
   test_removed_faces_have_no_line();
   test_mesh_without_faces();

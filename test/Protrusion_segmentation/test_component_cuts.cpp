@@ -7,11 +7,11 @@
 #include "check.h"
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
+#include "validation.h"
 #include "weighted_dual_graphs.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Component_cuts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Face_borders.h>
-#include <CGAL/Protrusion_segmentation/internal/validation.h>
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
@@ -75,7 +75,7 @@ void check_segments(const Weighted_dual_graph& graph,
     for (const Index arc : graph.arcs(i))
       neighbors[i].push_back(graph.target[arc]);
   const std::vector<std::size_t> ids(labels.begin(), labels.end());
-  CHECK_EQUAL(internal::problem_with_segment_ids(ids, number).value_or("no problem"), "no problem");
+  CHECK_EQUAL(validation::problem_with_segment_ids(ids, number).value_or("no problem"), "no problem");
   const std::vector<bool> is_on_speck(ids.size(), false);
   CHECK_EQUAL(internal::problem_with_connectedness(neighbors, is_on_speck, ids, number).value_or("no problem"),
               "no problem");

@@ -19,6 +19,27 @@
 #include <CGAL/Polygon_mesh_slicer.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cstdlib>
+#include <new>
+
+std::size_t allocated_bytes = 0;
+
+void* operator new(std::size_t size)
+{
+  allocated_bytes += size;
+  if (void* const memory = std::malloc(size))
+    return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept
+{
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept
+{
+  std::free(memory);
+}
+
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation::internal;
 
@@ -250,6 +271,58 @@ void diameters_of_points_in_a_plane()
               1e-15);
 }
 
+// Differences of points whose determinants are all rounded to positive numbers, as those of a very thin hull may be.
+namespace rounded_up {
+
+struct Vector
+{};
+struct Point
+{
+  double x;
+};
+Vector operator-(const Point&, const Point&)
+{
+  return {};
+}
+double determinant(const Vector&, const Vector&)
+{
+  return 1;
+}
+double squared_distance(const Point& p, const Point& q)
+{
+  return (p.x - q.x) * (p.x - q.x);
+}
+
+} // namespace rounded_up
+
+void calipers_come_to_an_end_whatever_is_rounded()
+{
+  const std::vector<rounded_up::Point> hull = {{0}, {1}, {3}};
+  CHECK(largest_squared_distance_of_antipodal_pairs(hull) <= 9);
+}
+
+void diameters_of_hulls()
+{
+  using Point_2 = Kernel::Point_2;
+  const auto diameter = [](const std::vector<Point_2>& hull)
+  { return std::sqrt(largest_squared_distance_of_antipodal_pairs(hull)); };
+  CHECK_EQUAL(diameter({}), 0);
+  CHECK_EQUAL(diameter({{1, 2}}), 0);
+  CHECK_EQUAL(diameter({{0, 0}, {3, 4}}), 5);
+  CHECK_EQUAL(diameter({{0, 0}, {4, 0}, {0, 3}}), 5);
+  CHECK_EQUAL(diameter({{0, 0}, {4, 0}, {4, 3}, {0, 3}}), 5);
+}
+
+// Several threads have a copy each.
+void a_copy_takes_few_bits_for_each_face()
+{
+  const Indexed_surface surface = to_surface(icosphere(5));
+  const Plane_section section(surface);
+  const std::size_t before = allocated_bytes;
+  const Plane_section copy(section);
+  CHECK(8 * (allocated_bytes - before) < 3 * surface.number_of_faces());
+}
+
 int main()
 {
   random_planes_give_the_same_components();
@@ -258,5 +331,8 @@ int main()
   a_plane_beside_the_surface_crosses_nothing();
   a_component_is_given_once_a_section();
   diameters_of_points_in_a_plane();
+  diameters_of_hulls();
+  calipers_come_to_an_end_whatever_is_rounded();
+  a_copy_takes_few_bits_for_each_face();
   return check::result();
 }

@@ -6,15 +6,15 @@
 
 #include "check.h"
 #include "test_meshes.h"
+#include "validation.h"
 
-#include <CGAL/Protrusion_segmentation/internal/validation.h>
 
 #include <CGAL/Polyhedron_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 using namespace test_meshes;
-using CGAL::Protrusion_segmentation::internal::problem_with_segmentation;
+using validation::problem_with_segmentation;
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Surface_mesh = CGAL::Surface_mesh<Kernel::Point_3>;

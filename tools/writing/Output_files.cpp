@@ -82,7 +82,7 @@ void Output_files::publish()
 
 bool Output_files::is_stream(const std::string& name)
 {
-  return name == "-" || CGAL::Protrusion_segmentation::internal::is_stream(name);
+  return name == "-" || tool::is_stream(name);
 }
 
 fs::path Output_files::target_of(const std::string& name)
@@ -90,7 +90,7 @@ fs::path Output_files::target_of(const std::string& name)
   std::error_code error;
   if (fs::is_directory(name, error))
     throw Error(name, "cannot be written: it is a folder");
-  const fs::path target = CGAL::Protrusion_segmentation::internal::target_of_links(name);
+  const fs::path target = tool::target_of_links(name);
   if (fs::is_symlink(target, error))
     throw Error(name, "cannot be written: too many links");
   return target;
@@ -99,15 +99,13 @@ fs::path Output_files::target_of(const std::string& name)
 void Output_files::write_file(const std::string& name, const fs::path& file, const Write& write)
 {
   errno = 0; // set by the system when a file cannot be opened or written
-  if (!CGAL::Protrusion_segmentation::internal::write_file(file, write))
+  if (!tool::write_file(file, write))
     throw Error(name, "cannot be written" +
                           (errno != 0 ? ": " + std::generic_category().message(errno) : ""));
 }
 
 void Output_files::publish(const File& file)
 {
-  using CGAL::Protrusion_segmentation::internal::replace_file;
-
   if (const std::error_code error = replace_file(file.temporary->name(), target_of(file.name)))
     throw Error(file.name, "cannot be written: " + error.message());
 }
@@ -115,7 +113,7 @@ void Output_files::publish(const File& file)
 void Output_files::publish_stream(const File& file)
 {
   const auto write = [&](std::ostream& out) { out << file.content; };
-  if (file.name != "-" && !CGAL::Protrusion_segmentation::internal::is_standard_output(file.name))
+  if (file.name != "-" && !tool::is_standard_output(file.name))
     return write_file(file.name, file.name, write);
   write(std::cout);
   finish_standard_output();

@@ -6,8 +6,7 @@
 #define PROTRUSION_SEGMENTATION_TOOLS_WRITING_OUTPUT_FILES_H
 
 #include "writing/Deferred_signals.h"
-
-#include <CGAL/Protrusion_segmentation/internal/IO/write_complete_file.h>
+#include "writing/write_complete_file.h"
 
 #include <filesystem>
 #include <functional>
@@ -21,7 +20,6 @@ namespace tool
 {
 
 namespace fs = std::filesystem;
-using CGAL::Protrusion_segmentation::internal::Temporary_file;
 
 // Files that appear all together: each is written under a temporary name beside its place, and
 // renamed only when all are complete. Whatever is not published is removed, made folders included.

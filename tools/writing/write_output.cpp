@@ -5,8 +5,7 @@
 #include "writing/write_output.h"
 
 #include "command_line/Error.h"
-
-#include <CGAL/Protrusion_segmentation/internal/IO/write_complete_file.h>
+#include "writing/write_complete_file.h"
 
 #include <iostream>
 
@@ -15,7 +14,7 @@ namespace tool
 
 void write_output(const std::string& file_name, const std::function<void(std::ostream&)>& write)
 {
-  if (!CGAL::Protrusion_segmentation::internal::write_complete_file(file_name, write))
+  if (!write_complete_file(file_name, write))
     throw Error(file_name, "cannot be written");
 }
 

@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "Model_evaluator.h"
+#include "rand_index_error_of_benchmark.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Metrics/rand_index_error_of_benchmark.h>
 
 #include <algorithm>
 
@@ -40,7 +40,7 @@ engine::Segment_overlap Model_evaluator::overlap_of(const Segmentation& a, const
 // As the program of the benchmark divides, whose figures ours are compared with.
 double Model_evaluator::rand_index_error(const engine::Segment_overlap& overlap) const
 {
-  return engine::rand_index_error_of_benchmark(engine::rand_index_error(overlap), m_face_areas.size());
+  return rand_index_error_of_benchmark(engine::rand_index_error(overlap), m_face_areas.size());
 }
 
 CGAL::Protrusion_segmentation::Segmentation_metrics

@@ -55,6 +55,17 @@ fs::path seconds_file(const std::string& path, int model)
   return fs::path(path) / (std::to_string(model) + ".seconds");
 }
 
+template <typename Number>
+void write_lines(const fs::path& file, const std::vector<Number>& numbers)
+{
+  std::ofstream out(file);
+  for (const Number& number : numbers)
+    out << number << "\n";
+  out.close();
+  if (!out)
+    throw std::runtime_error(file.string() + ": cannot be written");
+}
+
 } // namespace
 
 Labels read_labels(const std::string& file_name, const File_faces& faces)
@@ -107,17 +118,8 @@ void add_to_segmentation_folder(const std::string& path,
                                 const Labels& labels,
                                 const std::optional<double>& seconds)
 {
-  using CGAL::Protrusion_segmentation::internal::write_complete_file;
   fs::create_directories(path);
-  const std::string file = (fs::path(path) / (std::to_string(model) + ".seg")).string();
-  const auto write = [&](std::ostream& out)
-  {
-    for (const std::size_t label : faces.labels_of_file(labels))
-      out << label << "\n";
-  };
-  if (!write_complete_file(file, write))
-    throw std::runtime_error(file + ": cannot be written");
-  const std::string time_file = seconds_file(path, model).string();
-  if (seconds && !write_complete_file(time_file, [&](std::ostream& out) { out << *seconds << "\n"; }))
-    throw std::runtime_error(time_file + ": cannot be written");
+  write_lines(fs::path(path) / (std::to_string(model) + ".seg"), faces.labels_of_file(labels));
+  if (seconds)
+    write_lines(seconds_file(path, model), std::vector<double>{*seconds});
 }

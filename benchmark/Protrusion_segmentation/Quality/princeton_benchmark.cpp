@@ -20,13 +20,12 @@
 #include "methods.h"
 #include "reports.h"
 
-#include <CGAL/Protrusion_segmentation/internal/IO/write_complete_file.h>
-
 #include <CLI/CLI.hpp>
 
 #include <atomic>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <iostream>
 #include <mutex>
@@ -173,7 +172,10 @@ void write_output(const std::string& folder, const std::string& name,
                   const std::function<void(std::ostream&)>& write)
 {
   const std::string file = (std::filesystem::path(folder) / name).string();
-  if(!CGAL::Protrusion_segmentation::internal::write_complete_file(file, write))
+  std::ofstream out(file);
+  write(out);
+  out.close();
+  if(!out)
     throw std::runtime_error(file + ": cannot be written");
 }
 

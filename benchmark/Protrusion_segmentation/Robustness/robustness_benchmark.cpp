@@ -15,9 +15,9 @@
 #include "protrusion_methods.h"
 #include "read_mesh.h"
 #include "sdf_methods.h"
+#include "validation.h"
 
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
-#include <CGAL/Protrusion_segmentation/internal/validation.h>
 
 #include <CLI/CLI.hpp>
 
@@ -85,8 +85,7 @@ std::string segment(const fs::path& file, const Segmentation_method& method, std
   const Labels labels =
     method.segment(mesh, (std::min)(number_of_segments, std::size_t(mesh.number_of_faces())), 0);
   const std::size_t number = 1 + *std::max_element(labels.begin(), labels.end());
-  return CGAL::Protrusion_segmentation::internal::problem_with_segmentation(mesh, label_map(labels), number)
-    .value_or("");
+  return validation::problem_with_segmentation(mesh, label_map(labels), number).value_or("");
 }
 
 // Those of this package and the peer, of the names in a list.

@@ -6,12 +6,12 @@
 #define CGAL_IO_SEG_H
 
 #include <CGAL/Protrusion_segmentation/internal/IO/segment_file.h>
-#include <CGAL/Protrusion_segmentation/internal/IO/write_complete_file.h>
 #include <CGAL/Protrusion_segmentation/internal/Metrics/segment_id_maps.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 
+#include <fstream>
 #include <iostream>
 #include <string>
 
@@ -140,23 +140,20 @@ bool write_SEG(std::ostream& os, const FaceGraph& mesh, const SegmentIdMap& segm
 /*!
 \ingroup PkgProtrusionSegmentationIO
 
-writes the segment ids of the faces of `mesh` to a file, which appears, or is replaced, only when it is
-complete.
+writes the segment ids of the faces of `mesh` to a file.
 
 \param fname the name of the file
 \param mesh, segment_ids as for the function for streams
 
-\return `true` if everything was written; otherwise a file of this name is left as it was
+\return as for the function for streams; `false` also if the file cannot be opened
 */
 template <typename FaceGraph, typename SegmentIdMap>
 bool write_SEG(const std::string& fname, const FaceGraph& mesh, const SegmentIdMap& segment_ids)
 {
-  const auto write = [&](std::ostream& os)
-  {
-    if (!write_SEG(os, mesh, segment_ids))
-      os.setstate(std::ios::failbit);
-  };
-  return Protrusion_segmentation::internal::write_complete_file(fname, write);
+  std::ofstream os(fname, std::ios::binary); // lines end alike everywhere
+  const bool is_written = write_SEG(os, mesh, segment_ids);
+  os.close();
+  return is_written && !os.fail();
 }
 
 } // namespace IO

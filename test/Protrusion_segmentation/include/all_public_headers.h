@@ -25,7 +25,6 @@
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_metrics.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
-#include <CGAL/Protrusion_segmentation/bucket_shortest_paths.h>
 #include <CGAL/Protrusion_segmentation/label_confidence.h>
 #include <CGAL/Protrusion_segmentation/polygon_soup_to_manifold_mesh.h>
 #include <CGAL/Protrusion_segmentation/segment_borders.h>

@@ -10,8 +10,8 @@
 
 #include "check.h"
 #include "test_mesh.h"
+#include "validation.h"
 
-#include <CGAL/Protrusion_segmentation/internal/validation.h>
 #include <CGAL/protrusion_segmentation.h>
 
 namespace test_meshes {
@@ -73,10 +73,8 @@ Segmentation checked(const FaceGraph& mesh, Segment segment)
   if (result.number == 0)
     CHECK(is_untouched(result));
   else
-    CHECK_EQUAL(
-      CGAL::Protrusion_segmentation::internal::problem_with_segmentation(mesh, ids.map(), result.number)
-        .value_or("no problem"),
-      "no problem");
+    CHECK_EQUAL(validation::problem_with_segmentation(mesh, ids.map(), result.number).value_or("no problem"),
+                "no problem");
   return result;
 }
 

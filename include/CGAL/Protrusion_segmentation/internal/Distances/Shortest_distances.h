@@ -39,7 +39,7 @@ struct Shortest_path_tree
 // bit as Dijkstra's algorithm of the Boost Graph Library.
 //
 // A `Bucket_ring` takes the place of the heap; where the longest arc is too long for it, Boost's algorithm does the
-// work. `bucket_shortest_paths()` is the same for any graph; this one knows the tree of paths and bounds.
+// work.
 //
 // All work arrays are kept between runs.
 class Shortest_distances

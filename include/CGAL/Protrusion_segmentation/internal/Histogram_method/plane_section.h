@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <vector>
 
@@ -39,6 +38,25 @@ double largest_squared_distance(const std::vector<Point>& points)
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       largest = (std::max)(largest, squared_distance(points[i], points[j]));
+  return largest;
+}
+
+// The same for the vertices of a convex polygon, counterclockwise, by rotating calipers: linear time.
+template <typename Point>
+double largest_squared_distance_of_antipodal_pairs(const std::vector<Point>& hull)
+{
+  const std::size_t h = hull.size();
+  const auto next = [h](std::size_t i) { return i + 1 < h ? i + 1 : 0; };
+  double largest = 0;
+  for (std::size_t i = 0, j = next(0); i < h; ++i)
+  {
+    // Walk on while the next vertex is farther from the edge that begins at vertex i. No walk takes a whole turn, but the
+    // rounded determinants of a very thin hull may all be positive.
+    const auto edge = hull[next(i)] - hull[i];
+    for (std::size_t step = 0; step < h && determinant(edge, hull[next(j)] - hull[j]) > 0; ++step)
+      j = next(j);
+    largest = (std::max)({largest, squared_distance(hull[i], hull[j]), squared_distance(hull[next(i)], hull[j])});
+  }
   return largest;
 }
 
@@ -77,31 +95,29 @@ inline double planar_diameter(const std::vector<Indexed_surface::Point_3>& point
                                           { return p[axis] < q[axis]; });
     largest = (std::max)(largest, squared_distance(*ends.first, *ends.second));
   }
-  const std::size_t h = hull.size();
-  for (std::size_t i = 0, j = 1 % h; i < h; ++i)
-  {
-    // walk on while the next hull vertex is farther from the edge that begins at vertex i
-    const auto edge = hull[(i + 1) % h] - hull[i];
-    while (h > 2 && determinant(edge, hull[(j + 1) % h] - hull[j]) > 0)
-      j = (j + 1) % h;
-    largest = (std::max)({largest, squared_distance(hull[i], hull[j]),
-                          squared_distance(hull[(i + 1) % h], hull[j])});
-  }
-  return std::sqrt(largest);
+  return std::sqrt((std::max)(largest, largest_squared_distance_of_antipodal_pairs(hull)));
 }
 
 // Sections of a surface by planes, found by walking over the faces that a plane crosses. A connected
-// component of a section costs time linear in its length, whatever the size of the surface.
+// component of a section costs time linear in its length, whatever the size of the surface. A copy, for another thread,
+// takes a bit for each face.
 class Plane_section
 {
 public:
   using Index = Indexed_surface::Index;
   using Point_3 = Indexed_surface::Point_3;
 
-  explicit Plane_section(const Indexed_surface& surface) : m_surface(surface), m_visited(surface.number_of_faces(), 0) {}
+  explicit Plane_section(const Indexed_surface& surface)
+    : m_surface(surface), m_is_visited(surface.number_of_faces(), false)
+  {}
 
   // Forgets which faces were visited: to be called before the first component of each plane.
-  void start() { ++m_section; }
+  void start()
+  {
+    for (const Index face : m_visited)
+      m_is_visited[face] = false;
+    m_visited.clear();
+  }
 
   // Adds to `points` where the plane crosses the edges of the component through `face`, each edge once; adds
   // nothing if the plane does not cross the face or the component was visited since the last call to start().
@@ -112,9 +128,10 @@ public:
     {
       const Index f = m_queue.back();
       m_queue.pop_back();
-      if (m_visited[f] == m_section)
+      if (m_is_visited[f])
         continue;
-      m_visited[f] = m_section;
+      m_is_visited[f] = true;
+      m_visited.push_back(f);
       cross_face(f, plane, points);
     }
   }
@@ -144,15 +161,15 @@ private:
   {
     if (neighbor == Indexed_surface::no_face())
       return true;
-    if (m_visited[neighbor] == m_section)
+    if (m_is_visited[neighbor])
       return false;
     m_queue.push_back(neighbor);
     return true;
   }
 
   const Indexed_surface& m_surface;
-  std::vector<std::uint32_t> m_visited; // the last section that a face was visited for
-  std::uint32_t m_section = 0;
+  std::vector<bool> m_is_visited; // since the last start
+  std::vector<Index> m_visited;
   std::vector<Index> m_queue;
 };
 

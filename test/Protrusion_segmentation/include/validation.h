@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_VALIDATION_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_VALIDATION_H
+#ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_VALIDATION_H
+#define CGAL_TEST_PROTRUSION_SEGMENTATION_VALIDATION_H
 
 #include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
@@ -16,14 +16,15 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace validation {
+
+namespace internal = CGAL::Protrusion_segmentation::internal;
 
 // Checks of what every segmentation guarantees, shared by tests and benchmarks. Faces are named by their
 // position in `faces(mesh)`.
@@ -56,7 +57,7 @@ std::vector<std::vector<std::size_t>> face_neighbors(const FaceGraph& mesh)
     put(positions, f, number_of_faces++);
   std::vector<std::vector<std::size_t>> neighbors(number_of_faces);
   for (const auto f : faces(mesh))
-    for (const auto g : faces_around_face(halfedge(f, mesh), mesh))
+    for (const auto g : CGAL::faces_around_face(halfedge(f, mesh), mesh))
       if (g != boost::graph_traits<FaceGraph>::null_face())
         neighbors[get(positions, f)].push_back(get(positions, g));
   return neighbors;
@@ -66,11 +67,11 @@ std::vector<std::vector<std::size_t>> face_neighbors(const FaceGraph& mesh)
 template <typename FaceGraph>
 std::vector<bool> faces_on_specks(const FaceGraph& mesh)
 {
-  const Surface_arrays surface = read_arrays(mesh, parameters::default_values());
-  const std::vector<Indexed_surface::Index> components = components_of_faces(surface);
-  const std::vector<bool> is_speck = specks_among(surface, components);
+  const internal::Surface_arrays surface = internal::read_arrays(mesh, CGAL::parameters::default_values());
+  const std::vector<std::uint32_t> components = internal::components_of_faces(surface);
+  const std::vector<bool> is_speck = internal::specks_among(surface, components);
   std::vector<bool> result;
-  for (const Indexed_surface::Index component : components)
+  for (const std::uint32_t component : components)
     result.push_back(is_speck[component]);
   return result;
 }
@@ -126,8 +127,6 @@ std::optional<std::string> problem_with_segmentation(const FaceGraph& mesh,
   return problem_with_connectedness(face_neighbors(mesh), faces_on_specks(mesh), ids, number_of_segments);
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace validation
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_VALIDATION_H
+#endif // CGAL_TEST_PROTRUSION_SEGMENTATION_VALIDATION_H

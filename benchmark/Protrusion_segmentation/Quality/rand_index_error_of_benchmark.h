@@ -2,20 +2,16 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_RAND_INDEX_ERROR_OF_BENCHMARK_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_RAND_INDEX_ERROR_OF_BENCHMARK_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_RAND_INDEX_ERROR_OF_BENCHMARK_H
+#define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_RAND_INDEX_ERROR_OF_BENCHMARK_H
 
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
-
 // The Rand index error as the program of the Princeton Segmentation Benchmark computes it, from the true one:
-// what figures must be to stand beside published ones.
+// what published figures are compared with.
 //
 // That program divides by n * floor((n - 1) / 2) in integers and not by the number of pairs, n * (n - 1) / 2.
 // For an even number n of faces that is too little by the factor (n - 2) / (n - 1). Values that get above 1
@@ -29,8 +25,4 @@ inline double rand_index_error_of_benchmark(double rand_index_error, std::size_t
   return (std::min)(1., rand_index_error * ((n - 1) / (n - 2)));
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
-
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_RAND_INDEX_ERROR_OF_BENCHMARK_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_RAND_INDEX_ERROR_OF_BENCHMARK_H

@@ -4,8 +4,8 @@
 //
 // Writing a file so that it appears under its name only when it is complete.
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_IO_WRITE_COMPLETE_FILE_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_IO_WRITE_COMPLETE_FILE_H
+#ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_WRITE_COMPLETE_FILE_H
+#define PROTRUSION_SEGMENTATION_TOOLS_WRITING_WRITE_COMPLETE_FILE_H
 
 #include <cstddef>
 #include <filesystem>
@@ -15,9 +15,8 @@
 #include <string>
 #include <system_error>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace tool
+{
 
 // Calls `write(std::ostream&)`, binary, so that lines end alike everywhere. Returns whether all of
 // it reached the file.
@@ -132,8 +131,6 @@ bool write_complete_file(const std::string& file_name, const Write& write)
   return !replace_file(temporary.name(), target);
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace tool
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_IO_WRITE_COMPLETE_FILE_H
+#endif // PROTRUSION_SEGMENTATION_TOOLS_WRITING_WRITE_COMPLETE_FILE_H
