@@ -95,7 +95,7 @@ int main(int argc, char* argv[])
 
   // Segments may be numbered differently, so it is pairs of faces that are compared.
   std::cout << number_of_segments << " segments; the distances disagree for a share of "
-            << CGAL::segmentation_rand_index_error(mesh, usual, own)
+            << CGAL::Protrusion_segmentation::segmentation_rand_index_error(mesh, usual, own)
             << "\nof all pairs of faces whether they belong together" << std::endl;
   return EXIT_SUCCESS;
 }

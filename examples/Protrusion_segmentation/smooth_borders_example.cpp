@@ -45,11 +45,12 @@ int main(int argc, char* argv[])
   Mesh smooth; // whose property maps take the faces that are added to it
   const auto smooth_segments = smooth.add_property_map<Face, std::size_t>("f:segment").first;
   const auto old_faces = smooth.add_property_map<Face, Face>("f:old_face").first;
-  CGAL::smooth_segment_borders(mesh, segments, smooth, smooth_segments, old_faces);
+  CGAL::Protrusion_segmentation::smooth_segment_borders(mesh, segments, smooth, smooth_segments,
+                                                        old_faces);
   std::cout << mesh.number_of_faces() << " faces become " << smooth.number_of_faces() << std::endl;
 
   std::vector<Border> borders;
-  CGAL::segment_borders(smooth, smooth_segments, std::back_inserter(borders));
+  CGAL::Protrusion_segmentation::segment_borders(smooth, smooth_segments, std::back_inserter(borders));
   const CGAL::Protrusion_segmentation::Border_values values(keeper.protrusions);
   const auto value = [&](const Border& border) { return values.value(border.segments[0], border.segments[1]); };
   std::sort(borders.begin(), borders.end(),

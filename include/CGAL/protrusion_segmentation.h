@@ -32,7 +32,7 @@ splits a surface mesh into a body and its protrusions, by a method of choice.
 
 Segment ids are 0 to n-1, where n is the returned number. Every segment is a connected set of faces, but for specks. The
 first ids are those of the bodies, one in each connected component, the largest first; the others are those of protrusions, in the order in which
-their borders were chosen. The ids depend on where the faces are and not on the order of `faces(tmesh)`, except for
+their borders were chosen. The ids depend on where the faces are and not on the order of `faces(pmesh)`, except for
 faces with the same centroid.
 
 For `Minimum_cut_method`, the body is the segment in the middle: if it is taken away, every connected piece that is left
@@ -58,7 +58,7 @@ exact kernel are rounded.
 \tparam Method `Protrusion_segmentation::Minimum_cut_method` or `Protrusion_segmentation::Histogram_method`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tmesh the mesh. Faces may be any polygons; there may be borders and several components.
+\param pmesh the mesh. Faces may be any polygons; there may be borders and several components.
 \param segment_ids the segment of every face; written only if the function succeeds
 \param number_of_segments the number of segments k, from 1 to the number of faces
 \param method the method with its options and its distance, for instance a `Protrusion_segmentation::Histogram_method`
@@ -67,11 +67,11 @@ exact kernel are rounded.
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+    \cgalParamDescription{a property map associating points to the vertices of `pmesh`}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<FaceGraph>::%vertex_descriptor` as key type and a point type with
                    `x()`, `y()` and `z()` as value type}
-    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, pmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
     \cgalParamDescription{the seed of everything random, such as the landmarks of
@@ -115,7 +115,7 @@ template <typename ConcurrencyTag = Sequential_tag,
           Protrusion_segmentation::internal::If_method<Method> = 0
 #endif
           >
-std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
+std::size_t segmentation_via_protrusion_tips(const FaceGraph& pmesh,
                                              SegmentMap segment_ids,
                                              Number number_of_segments,
                                              const Method& method,
@@ -124,7 +124,7 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
   namespace internal = Protrusion_segmentation::internal;
 
   return internal::segment_mesh<ConcurrencyTag>(
-    tmesh, segment_ids, internal::checked_count("number_of_segments", number_of_segments), method, np);
+    pmesh, segment_ids, internal::checked_count("number_of_segments", number_of_segments), method, np);
 }
 
 /*!
@@ -133,7 +133,7 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 splits a surface mesh into a body and its evident protrusions, by a method of choice. The method stops by itself: the
 first criterion of Section III of the paper.
 
-\param tmesh, segment_ids, method, np as for the function with a number of segments and a method
+\param pmesh, segment_ids, method, np as for the function with a number of segments and a method
 \return as for the function with a number of segments and a method
 */
 template <typename ConcurrencyTag = Sequential_tag,
@@ -146,12 +146,12 @@ template <typename ConcurrencyTag = Sequential_tag,
           Protrusion_segmentation::internal::If_method<Method> = 0
 #endif
           >
-std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
+std::size_t segmentation_via_protrusion_tips(const FaceGraph& pmesh,
                                              SegmentMap segment_ids,
                                              const Method& method,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(tmesh, segment_ids, std::nullopt, method, np);
+  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(pmesh, segment_ids, std::nullopt, method, np);
 }
 
 /*!
@@ -160,7 +160,7 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 splits a surface mesh into `number_of_segments` segments by the default method,
 `Protrusion_segmentation::Minimum_cut_method`.
 
-\param tmesh, segment_ids, number_of_segments, np as for the function with a number of segments and a method
+\param pmesh, segment_ids, number_of_segments, np as for the function with a number of segments and a method
 \return as for the function with a number of segments and a method
 */
 template <typename ConcurrencyTag = Sequential_tag,
@@ -173,12 +173,12 @@ template <typename ConcurrencyTag = Sequential_tag,
           Protrusion_segmentation::internal::If_number<Number> = 0
 #endif
           >
-std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
+std::size_t segmentation_via_protrusion_tips(const FaceGraph& pmesh,
                                              SegmentMap segment_ids,
                                              Number number_of_segments,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return segmentation_via_protrusion_tips<ConcurrencyTag>(tmesh, segment_ids, number_of_segments,
+  return segmentation_via_protrusion_tips<ConcurrencyTag>(pmesh, segment_ids, number_of_segments,
                                                           Protrusion_segmentation::Minimum_cut_method(), np);
 }
 
@@ -188,18 +188,18 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
 splits a surface mesh into a body and its evident protrusions by the default method,
 `Protrusion_segmentation::Minimum_cut_method`.
 
-\param tmesh, segment_ids, np as for the function with a number of segments and a method
+\param pmesh, segment_ids, np as for the function with a number of segments and a method
 \return as for the function with a number of segments and a method
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename FaceGraph,
           typename SegmentMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
-std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
+std::size_t segmentation_via_protrusion_tips(const FaceGraph& pmesh,
                                              SegmentMap segment_ids,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return segmentation_via_protrusion_tips<ConcurrencyTag>(tmesh, segment_ids,
+  return segmentation_via_protrusion_tips<ConcurrencyTag>(pmesh, segment_ids,
                                                           Protrusion_segmentation::Minimum_cut_method(), np);
 }
 
@@ -233,7 +233,7 @@ get none.
                        `boost::graph_traits<FaceGraph>::%face_descriptor`
 \tparam Distance a model of `ProtrusionDistance`
 
-\param tmesh the mesh
+\param pmesh the mesh
 \param number_of_tips the number of tips, at most the number of faces
 \param tips where the faces at the tips are written, in the order of selection in each component; fewer than
             asked for if all remaining faces are at distance 0 from a tip; none if the visitor stops the function
@@ -259,7 +259,7 @@ template <typename ConcurrencyTag = Sequential_tag,
           std::enable_if_t<Protrusion_segmentation::internal::Is_distance<Distance>::value, int> = 0
 #endif
           >
-OutputIterator protrusion_tips(const FaceGraph& tmesh,
+OutputIterator protrusion_tips(const FaceGraph& pmesh,
                                Number number_of_tips,
                                OutputIterator tips,
                                const Distance& distance,
@@ -268,7 +268,7 @@ OutputIterator protrusion_tips(const FaceGraph& tmesh,
   namespace internal = Protrusion_segmentation::internal;
 
   return internal::select_mesh_tips<ConcurrencyTag>(
-    tmesh, internal::checked_count("number_of_tips", number_of_tips), tips, distance, np);
+    pmesh, internal::checked_count("number_of_tips", number_of_tips), tips, distance, np);
 }
 
 #ifndef DOXYGEN_RUNNING
@@ -286,7 +286,7 @@ OutputIterator protrusion_tips(const FaceGraph&, Number, OutputIterator tips, co
 
 selects protrusion tips by `Protrusion_segmentation::Geodesic_distance`.
 
-\param tmesh, number_of_tips, tips, np as for the function with a distance
+\param pmesh, number_of_tips, tips, np as for the function with a distance
 \return as for the function with a distance
 */
 template <typename ConcurrencyTag = Sequential_tag,
@@ -294,12 +294,12 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename Number,
           typename OutputIterator,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
-OutputIterator protrusion_tips(const FaceGraph& tmesh,
+OutputIterator protrusion_tips(const FaceGraph& pmesh,
                                Number number_of_tips,
                                OutputIterator tips,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return protrusion_tips<ConcurrencyTag>(tmesh, number_of_tips, tips, Protrusion_segmentation::Geodesic_distance(),
+  return protrusion_tips<ConcurrencyTag>(pmesh, number_of_tips, tips, Protrusion_segmentation::Geodesic_distance(),
                                          np);
 }
 
@@ -317,11 +317,11 @@ counts as one on the face whose segment the speck gets.
 \tparam FaceRange a range of `boost::graph_traits<FaceGraph>::%face_descriptor`
 
 \param tips the faces at the tips
-\param tmesh, segment_ids, method, np as for `segmentation_via_protrusion_tips()`
+\param pmesh, segment_ids, method, np as for `segmentation_via_protrusion_tips()`
 
 \return as for `segmentation_via_protrusion_tips()`; at most one segment for each tip and each component
 
-\throw std::invalid_argument if a face of `tips` is not in `tmesh`, or if a coordinate is not finite
+\throw std::invalid_argument if a face of `tips` is not in `pmesh`, or if a coordinate is not finite
 
 Complexity: that of the method, and with hundreds of tips, above that, linear in their number.
 */
@@ -336,13 +336,13 @@ template <typename ConcurrencyTag = Sequential_tag,
           Protrusion_segmentation::internal::If_method<Method> = 0
 #endif
           >
-std::size_t segmentation_from_protrusion_tips(const FaceGraph& tmesh,
+std::size_t segmentation_from_protrusion_tips(const FaceGraph& pmesh,
                                               const FaceRange& tips,
                                               SegmentMap segment_ids,
                                               const Method& method,
                                               const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::segment_mesh_from_tips<ConcurrencyTag>(tmesh, tips, segment_ids, method,
+  return Protrusion_segmentation::internal::segment_mesh_from_tips<ConcurrencyTag>(pmesh, tips, segment_ids, method,
                                                                                    np);
 }
 
@@ -351,7 +351,7 @@ std::size_t segmentation_from_protrusion_tips(const FaceGraph& tmesh,
 
 cuts off the protrusions of given tips by the default method, `Protrusion_segmentation::Minimum_cut_method`.
 
-\param tmesh, tips, segment_ids, np as for the function with a method
+\param pmesh, tips, segment_ids, np as for the function with a method
 \return as for the function with a method
 */
 template <typename ConcurrencyTag = Sequential_tag,
@@ -359,12 +359,12 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename FaceRange,
           typename SegmentMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
-std::size_t segmentation_from_protrusion_tips(const FaceGraph& tmesh,
+std::size_t segmentation_from_protrusion_tips(const FaceGraph& pmesh,
                                               const FaceRange& tips,
                                               SegmentMap segment_ids,
                                               const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return segmentation_from_protrusion_tips<ConcurrencyTag>(tmesh, tips, segment_ids,
+  return segmentation_from_protrusion_tips<ConcurrencyTag>(pmesh, tips, segment_ids,
                                                            Protrusion_segmentation::Minimum_cut_method(), np);
 }
 
@@ -390,7 +390,7 @@ smaller numbers are made from it by joining protrusions to what they stick out o
 
 \tparam ConcurrencyTag, FaceGraph, Number, Method as for `segmentation_via_protrusion_tips()`
 
-\param tmesh the mesh
+\param pmesh the mesh
 \param maximum_number_of_segments the number of segments of the finest segmentation, from 1 to the number of faces; it
        has fewer if no more borders are found
 \param method the method with its options and its distance
@@ -413,7 +413,7 @@ template <typename ConcurrencyTag = Sequential_tag,
 #endif
           >
 Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
-  const FaceGraph& tmesh,
+  const FaceGraph& pmesh,
   Number maximum_number_of_segments,
   const Method& method,
   const CGAL_NP_CLASS& np = parameters::default_values())
@@ -421,7 +421,7 @@ Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
   namespace internal = Protrusion_segmentation::internal;
 
   return internal::mesh_hierarchy<ConcurrencyTag>(
-    tmesh, internal::checked_count("maximum_number_of_segments", maximum_number_of_segments), method, np);
+    pmesh, internal::checked_count("maximum_number_of_segments", maximum_number_of_segments), method, np);
 }
 
 /*!
@@ -429,7 +429,7 @@ Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
 
 computes the hierarchy of nested protrusions by the default method, `Protrusion_segmentation::Minimum_cut_method`.
 
-\param tmesh, maximum_number_of_segments, np as for the function with a method
+\param pmesh, maximum_number_of_segments, np as for the function with a method
 \return as for the function with a method
 */
 template <typename ConcurrencyTag = Sequential_tag,
@@ -437,11 +437,11 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename Number,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
 Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
-  const FaceGraph& tmesh,
+  const FaceGraph& pmesh,
   Number maximum_number_of_segments,
   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return protrusion_hierarchy<ConcurrencyTag>(tmesh, maximum_number_of_segments,
+  return protrusion_hierarchy<ConcurrencyTag>(pmesh, maximum_number_of_segments,
                                               Protrusion_segmentation::Minimum_cut_method(), np);
 }
 

@@ -12,7 +12,7 @@ Every face has a label, in the order of the faces given. Faces that do not make 
 command line tool does: vertices at one place count as one, faces are turned over, and at edges of more than two faces
 the surface is taken apart; degenerate and duplicate faces have the label of a neighbour or of their double.
 
-Arguments that make no sense raise ValueError, with the words of the C++ package, in which `tmesh` is the mesh. While a
+Arguments that make no sense raise ValueError, with the words of the C++ package, in which `pmesh` is the mesh. While a
 function computes, other threads run, and Ctrl-C stops it with KeyboardInterrupt.
 """
 

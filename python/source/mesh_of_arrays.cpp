@@ -26,7 +26,7 @@ std::vector<tool::Point> read_points(const std::vector<double>& xyz)
   {
     // in the words of the package's functions
     if (!std::isfinite(xyz[i]) || !std::isfinite(xyz[i + 1]) || !std::isfinite(xyz[i + 2]))
-      throw std::invalid_argument("tmesh: vertex " + std::to_string(i / 3) +
+      throw std::invalid_argument("pmesh: vertex " + std::to_string(i / 3) +
                                   " has a coordinate that is not finite");
     points.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
   }
@@ -83,7 +83,7 @@ tool::Input_mesh mesh_of_arrays(const Arrays& arrays)
   }
   catch (const tool::Format_error& error)
   {
-    throw std::invalid_argument(std::string("tmesh ") + error.what());
+    throw std::invalid_argument(std::string("pmesh ") + error.what());
   }
 }
 

@@ -18,7 +18,7 @@ def with_value(array, place, value):
     return result
 
 
-FINITE = "^tmesh: vertex 2 has a coordinate that is not finite$"
+FINITE = "^pmesh: vertex 2 has a coordinate that is not finite$"
 VERTICES = [
     (with_value(POINTS, (2, 1), np.nan), FINITE),
     (with_value(POINTS, (2, 0), np.inf), FINITE),
@@ -53,10 +53,10 @@ FACES = [
     (None, "^faces: neither an array"),
     ([], "^faces: there are none$"),
     (np.empty((0, 3), int), "^faces: there are none$"),
-    ([[]], "^tmesh has degenerate faces only"),
-    ([[0], [1, 2]], "^tmesh has degenerate faces only"),
-    ([[0, 0, 1]], "^tmesh has degenerate faces only"),
-    (np.empty((5, 0), int), "^tmesh has degenerate faces only"),
+    ([[]], "^pmesh has degenerate faces only"),
+    ([[0], [1, 2]], "^pmesh has degenerate faces only"),
+    ([[0, 0, 1]], "^pmesh has degenerate faces only"),
+    (np.empty((5, 0), int), "^pmesh has degenerate faces only"),
 ]
 
 
@@ -82,7 +82,7 @@ def test_wrong_mesh(call):
 CALLS = [
     (lambda: ps.segment(POINTS, TRIANGLES, 0), "^number_of_segments is 0$"),
     (lambda: ps.segment(POINTS, TRIANGLES, -2), "^number_of_segments is -2$"),
-    (lambda: ps.segment(POINTS, TRIANGLES, 5), "^number_of_segments is 5, but tmesh has only 4 faces$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, 5), "^number_of_segments is 5, but pmesh has only 4 faces$"),
     (lambda: ps.segment(POINTS, TRIANGLES, 2**80), f"^number_of_segments is {2**80}$"),
     (lambda: ps.segment(POINTS, TRIANGLES, 2.5), "^number_of_segments is no integer, but 2.5$"),
     (lambda: ps.segment(POINTS, TRIANGLES, True), "^number_of_segments is True$"),
@@ -96,14 +96,14 @@ CALLS = [
     (lambda: ps.segment(POINTS, TRIANGLES, random_seed=2**32), "^random_seed is 4294967296$"),
     (lambda: ps.hierarchy(POINTS, TRIANGLES, 0), "^number_of_segments is 0$"),
     (lambda: ps.hierarchy(POINTS, TRIANGLES, -1), "^maximum_number_of_segments is -1$"),
-    (lambda: ps.tips(POINTS, TRIANGLES, 5), "^number_of_tips is 5, but tmesh has only 4 faces$"),
+    (lambda: ps.tips(POINTS, TRIANGLES, 5), "^number_of_tips is 5, but pmesh has only 4 faces$"),
     (lambda: ps.tips(POINTS, TRIANGLES, -5), "^number_of_tips is -5$"),
-    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [4]), "^tips: a face is not in tmesh$"),
-    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [-1]), "^tips: a face is not in tmesh$"),
+    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [4]), "^tips: a face is not in pmesh$"),
+    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [-1]), "^tips: a face is not in pmesh$"),
     (lambda: ps.segment_from_tips(POINTS, TRIANGLES, 3), "^tips: the shape"),
     (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [0.5]), "^tips: not all of them are integers$"),
-    (lambda: ps.evaluate(POINTS, TRIANGLES, [0, 1, 2], [0] * 4), "^labels: there are 3, but tmesh has 4 faces$"),
-    (lambda: ps.evaluate(POINTS, TRIANGLES, [0] * 4, [0] * 5), "^reference: there are 5, but tmesh has 4 faces$"),
+    (lambda: ps.evaluate(POINTS, TRIANGLES, [0, 1, 2], [0] * 4), "^labels: there are 3, but pmesh has 4 faces$"),
+    (lambda: ps.evaluate(POINTS, TRIANGLES, [0] * 4, [0] * 5), "^reference: there are 5, but pmesh has 4 faces$"),
     (lambda: ps.evaluate(POINTS, TRIANGLES, [0.0] * 4, [0] * 4), "^labels: not all of them are integers$"),
 ]
 

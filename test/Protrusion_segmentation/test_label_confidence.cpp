@@ -122,9 +122,10 @@ void every_face_gets_the_least_value_of_its_segment()
   const Found found = segmented(creature(), 7, PS::Minimum_cut_method());
   const PS::Border_values borders(found.recorder.protrusions);
   std::vector<double> confidence(found.segments.size(), -1);
-  CGAL::label_confidence(
-    found.mesh, boost::make_iterator_property_map(found.segments.begin(), get(boost::face_index, found.mesh)), borders,
-    boost::make_iterator_property_map(confidence.begin(), get(boost::face_index, found.mesh)));
+  CGAL::Protrusion_segmentation::label_confidence(
+    found.mesh,
+    boost::make_iterator_property_map(found.segments.begin(), get(boost::face_index, found.mesh)),
+    borders, boost::make_iterator_property_map(confidence.begin(), get(boost::face_index, found.mesh)));
   for (std::size_t f = 0; f < confidence.size(); ++f)
   {
     double least = infinity;

@@ -59,9 +59,10 @@ std::vector<Border> find_borders(const Findings& findings)
 {
   const Mesh& mesh = findings.mesh_of_borders();
   std::vector<CGAL::Protrusion_segmentation::Segment_border<Point>> lines;
-  CGAL::segment_borders(
+  CGAL::Protrusion_segmentation::segment_borders(
     mesh,
-    boost::make_iterator_property_map(findings.segments_at_borders().begin(), get(boost::face_index, mesh)),
+    boost::make_iterator_property_map(findings.segments_at_borders().begin(),
+                                      get(boost::face_index, mesh)),
     std::back_inserter(lines));
   const CGAL::Protrusion_segmentation::Border_values values(findings.segmentation.record.protrusions());
   std::vector<Border> borders;

@@ -53,24 +53,24 @@ public:
   \tparam SegmentMap a model of `WritablePropertyMap` with
                      `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and an integer type as
                      value type that is wide enough for the ids
-  \param tmesh the mesh for which the hierarchy was made, with the same faces in the same order
+  \param pmesh the mesh for which the hierarchy was made, with the same faces in the same order
   \param number_of_segments from `minimum_number_of_segments()` to `maximum_number_of_segments()`
   \param segment_ids the segment of every face, from 0 to `number_of_segments` - 1
-  \throw std::invalid_argument if `number_of_segments` is out of range, `tmesh` has another number of faces, or the value
+  \throw std::invalid_argument if `number_of_segments` is out of range, `pmesh` has another number of faces, or the value
          type of `segment_ids` is too narrow
   */
   template <typename FaceGraph, typename SegmentMap>
-  void segment_ids(const FaceGraph& tmesh, std::size_t number_of_segments, SegmentMap segment_ids) const
+  void segment_ids(const FaceGraph& pmesh, std::size_t number_of_segments, SegmentMap segment_ids) const
   {
     const std::vector<Index> ancestors = ancestors_below(number_of_segments);
-    if (static_cast<std::size_t>(std::distance(faces(tmesh).begin(), faces(tmesh).end())) !=
+    if (static_cast<std::size_t>(std::distance(faces(pmesh).begin(), faces(pmesh).end())) !=
         m_labels.size())
-      throw std::invalid_argument("tmesh is not the mesh of the hierarchy: it has another number of faces");
+      throw std::invalid_argument("pmesh is not the mesh of the hierarchy: it has another number of faces");
     std::vector<Index> labels;
     labels.reserve(m_labels.size());
     for (Index label : m_labels)
       labels.push_back(ancestors[label]);
-    internal::write_segments(tmesh, labels, segment_ids);
+    internal::write_segments(pmesh, labels, segment_ids);
   }
 
 #ifndef DOXYGEN_RUNNING

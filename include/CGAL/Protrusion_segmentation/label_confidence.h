@@ -13,6 +13,7 @@
 #include <cstddef>
 
 namespace CGAL {
+namespace Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
@@ -30,7 +31,7 @@ other borders are, and so has a protrusion from which another one sticks out.
 \tparam ConfidenceMap a model of `WritablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key
                       type and `double` as value type
 
-\param tmesh the mesh
+\param pmesh the mesh
 \param segment_ids the segment of every face, as written by a function of this package
 \param borders the values of the borders, made from the protrusions that a visitor was told of
 \param confidence for every face the value of the weakest border of its segment, in the unit of
@@ -39,15 +40,16 @@ other borders are, and so has a protrusion from which another one sticks out.
 Complexity: linear in the number of faces.
 */
 template <typename FaceGraph, typename SegmentMap, typename ConfidenceMap>
-void label_confidence(const FaceGraph& tmesh,
+void label_confidence(const FaceGraph& pmesh,
                       SegmentMap segment_ids,
-                      const Protrusion_segmentation::Border_values& borders,
+                      const Border_values& borders,
                       ConfidenceMap confidence)
 {
-  for (const auto f : faces(tmesh))
+  for (const auto f : faces(pmesh))
     put(confidence, f, borders.least_value(static_cast<std::size_t>(get(segment_ids, f))));
 }
 
+} // namespace Protrusion_segmentation
 } // namespace CGAL
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_LABEL_CONFIDENCE_H

@@ -16,6 +16,7 @@
 #include <utility>
 
 namespace CGAL {
+namespace Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
@@ -54,8 +55,8 @@ polygons decides.
 \tparam PolygonRange a model of `ConstRange` whose value type is a model of `ConstRange` of any integer type
 \tparam FaceGraph a model of `MutableFaceGraph` with a point for each vertex, whose type is that of `points` or has a
                   constructor from three `double`
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-\tparam OutputNamedParameters the same
+\tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam NamedParameters2 the same
 
 \param points the points
 \param polygons the corners of every polygon, as indices of `points`, in the order in which they run around it
@@ -84,24 +85,24 @@ parted again in rounds of the same complexity, until there are no more.
 template <typename PointRange,
           typename PolygonRange,
           typename FaceGraph,
-          typename NamedParameters = parameters::Default_named_parameters,
-          typename OutputNamedParameters = parameters::Default_named_parameters>
-Protrusion_segmentation::Polygon_soup_correspondence<FaceGraph> polygon_soup_to_manifold_mesh(
+          typename CGAL_NP_TEMPLATE_PARAMETERS_1,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_2>
+Polygon_soup_correspondence<FaceGraph> polygon_soup_to_manifold_mesh(
   const PointRange& points,
   const PolygonRange& polygons,
   FaceGraph& output,
-  const NamedParameters& np = parameters::default_values(),
-  const OutputNamedParameters& output_np = parameters::default_values())
+  const CGAL_NP_CLASS_1& np = parameters::default_values(),
+  const CGAL_NP_CLASS_2& output_np = parameters::default_values())
 {
-  namespace internal = Protrusion_segmentation::internal;
   const auto point_map = internal::point_map_of<PointRange>(np);
   internal::Polygon_soup soup;
   soup.points = internal::read_soup_points(points, point_map);
   soup.polygons = internal::read_polygons(polygons, soup.points.size());
-  return internal::write_manifold_surface(points, point_map, internal::manifold_surface(std::move(soup)), output,
-                                          output_np);
+  return internal::write_manifold_surface(points, point_map, internal::manifold_surface(std::move(soup)),
+                                          output, output_np);
 }
 
+} // namespace Protrusion_segmentation
 } // namespace CGAL
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_POLYGON_SOUP_TO_MANIFOLD_MESH_H

@@ -22,6 +22,7 @@
 #include <vector>
 
 namespace CGAL {
+namespace Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
@@ -52,25 +53,25 @@ lost or torn, such as one that is a single triangle wide, keeps its faces, and t
                          key type and the value type of `SegmentMap`. It has to take faces that are added to
                          the mesh after it was made, as those of `Surface_mesh` do.
 \tparam OldFaceMap the same, with `boost::graph_traits<FaceGraph>::%face_descriptor` as value type
-\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
-\tparam OutputNamedParameters the same
+\tparam NamedParameters1 a sequence of \ref bgl_namedparameters "Named Parameters"
+\tparam NamedParameters2 the same
 
-\param tmesh the mesh. Faces may be any polygons; there may be boundaries and several components. No two edges may have the
+\param pmesh the mesh. Faces may be any polygons; there may be boundaries and several components. No two edges may have the
        same two ends.
 \param segment_ids the segment of every face
 \param output the mesh to which the pieces of the faces are added
 \param output_segment_ids the segment of every new face
-\param old_faces for every new face the face of `tmesh` that it is, or is a piece of
-\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" for `tmesh`
+\param old_faces for every new face the face of `pmesh` that it is, or is a piece of
+\param np an optional sequence of \ref bgl_namedparameters "Named Parameters" for `pmesh`
 \param output_np an optional sequence of \ref bgl_namedparameters "Named Parameters" for `output`: `vertex_point_map`
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+    \cgalParamDescription{a property map associating points to the vertices of `pmesh`}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<FaceGraph>::%vertex_descriptor` as key type and a point type with
                    `x()`, `y()` and `z()` as value type}
-    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, pmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
     \cgalParamDescription{how often shares are averaged. With more, borders get straighter and move farther, up to about
@@ -94,28 +95,27 @@ template <typename FaceGraph,
           typename OutputMesh,
           typename OutputSegmentMap,
           typename OldFaceMap,
-          typename NamedParameters = parameters::Default_named_parameters,
-          typename OutputNamedParameters = parameters::Default_named_parameters>
-std::size_t smooth_segment_borders(const FaceGraph& tmesh,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_1,
+          typename CGAL_NP_TEMPLATE_PARAMETERS_2>
+std::size_t smooth_segment_borders(const FaceGraph& pmesh,
                                    SegmentMap segment_ids,
                                    OutputMesh& output,
                                    OutputSegmentMap output_segment_ids,
                                    OldFaceMap old_faces,
-                                   const NamedParameters& np = parameters::default_values(),
-                                   const OutputNamedParameters& output_np = parameters::default_values())
+                                   const CGAL_NP_CLASS_1& np = parameters::default_values(),
+                                   const CGAL_NP_CLASS_2& output_np = parameters::default_values())
 {
-  namespace internal = Protrusion_segmentation::internal;
-  using Index = Protrusion_segmentation::Indexed_surface::Index;
+  using Index = Indexed_surface::Index;
   using Id = typename boost::property_traits<SegmentMap>::value_type;
   constexpr unsigned int default_number_of_iterations = 3; // more hardly shorten borders, but move them
 
   const std::size_t rounds = internal::checked_count(
-    "number_of_iterations", parameters::choose_parameter(
-                              parameters::get_parameter(np, internal_np::number_of_iterations),
-                              default_number_of_iterations));
+    "number_of_iterations",
+    parameters::choose_parameter(parameters::get_parameter(np, internal_np::number_of_iterations),
+                                 default_number_of_iterations));
   // Numbered by size, not by the first face: of equal shares, that with the lower number counts.
   std::vector<Id> ids;
-  for (const auto f : faces(tmesh))
+  for (const auto f : faces(pmesh))
     ids.push_back(get(segment_ids, f));
   const std::vector<Id> segment_of_face = ids;
   std::sort(ids.begin(), ids.end());
@@ -123,14 +123,16 @@ std::size_t smooth_segment_borders(const FaceGraph& tmesh,
   std::vector<Index> segments;
   for (const Id& id : segment_of_face)
     segments.push_back(static_cast<Index>(std::lower_bound(ids.begin(), ids.end(), id) - ids.begin()));
-  const auto surface = internal::read_surface(tmesh, np).surface.to_surface();
+  const auto surface = internal::read_surface(pmesh, np).surface.to_surface();
   internal::check_edges_are_single(surface);
-  const internal::Smooth_borders result =
-    internal::cut_along_smooth_borders(surface, segments, ids.size(), rounds);
-  internal::write_cut_surface(tmesh, result.surface, ids, output, output_segment_ids, old_faces, np, output_np);
+  const internal::Smooth_borders result = internal::cut_along_smooth_borders(surface, segments,
+                                                                             ids.size(), rounds);
+  internal::write_cut_surface(pmesh, result.surface, ids, output, output_segment_ids, old_faces, np,
+                              output_np);
   return result.number_of_fixed_segments;
 }
 
+} // namespace Protrusion_segmentation
 } // namespace CGAL
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_SMOOTH_SEGMENT_BORDERS_H

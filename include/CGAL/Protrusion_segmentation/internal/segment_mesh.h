@@ -42,7 +42,7 @@ inline void check_number_of_segments(std::size_t number_of_segments, std::size_t
     throw std::invalid_argument("number_of_segments is 0");
   if (number_of_segments > number_of_faces)
     throw std::invalid_argument("number_of_segments is " + std::to_string(number_of_segments) +
-                                ", but tmesh has only " + std::to_string(number_of_faces) + " faces");
+                                ", but pmesh has only " + std::to_string(number_of_faces) + " faces");
 }
 
 // The result of `run(surface, execution)` on the arrays of a mesh; none if the visitor stopped it.
@@ -186,7 +186,7 @@ OutputIterator select_mesh_tips(const FaceGraph& mesh,
   const std::vector<typename boost::graph_traits<FaceGraph>::face_descriptor> descriptors(faces(mesh).begin(),
                                                                                           faces(mesh).end());
   if (number_of_tips > descriptors.size())
-    throw std::invalid_argument("number_of_tips is " + std::to_string(number_of_tips) + ", but tmesh has only " +
+    throw std::invalid_argument("number_of_tips is " + std::to_string(number_of_tips) + ", but pmesh has only " +
                                 std::to_string(descriptors.size()) + " faces");
   const Any_distance any_distance(distance);
   const auto positions = run_on_mesh<ConcurrencyTag>(
