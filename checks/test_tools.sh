@@ -1001,10 +1001,11 @@ def problems_with_borders(record):
 
 def problems_with_confidence(record):
     for measure in record["measures"]:
-        values = [protrusion["value"] for protrusion in record["protrusions"]
+        values = [protrusion["value"] if record["method"] == "paper" else protrusion["probability"]
+                  for protrusion in record["protrusions"]
                   if measure["segment"] in (protrusion["segment"], protrusion["parent"])]
         if measure["confidence"] != min(values, default=None):
-            yield f"the confidence of segment {measure['segment']} is not the least value of its borders"
+            yield f"the confidence of segment {measure['segment']} is not the least of its borders"
     for protrusion in record["protrusions"]:
         if (protrusion["probability"] is None) != (record["method"] == "paper"):
             yield "only minimum-cut estimates probabilities"

@@ -121,10 +121,7 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& pmesh,
                                              const Method& method,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  namespace internal = Protrusion_segmentation::internal;
-
-  return internal::segment_mesh<ConcurrencyTag>(
-    pmesh, segment_ids, internal::checked_count("number_of_segments", number_of_segments), method, np);
+  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(pmesh, segment_ids, number_of_segments, method, np);
 }
 
 /*!
@@ -265,10 +262,7 @@ OutputIterator protrusion_tips(const FaceGraph& pmesh,
                                const Distance& distance,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  namespace internal = Protrusion_segmentation::internal;
-
-  return internal::select_mesh_tips<ConcurrencyTag>(
-    pmesh, internal::checked_count("number_of_tips", number_of_tips), tips, distance, np);
+  return Protrusion_segmentation::internal::select_mesh_tips<ConcurrencyTag>(pmesh, number_of_tips, tips, distance, np);
 }
 
 #ifndef DOXYGEN_RUNNING
@@ -418,10 +412,7 @@ Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
   const Method& method,
   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  namespace internal = Protrusion_segmentation::internal;
-
-  return internal::mesh_hierarchy<ConcurrencyTag>(
-    pmesh, internal::checked_count("maximum_number_of_segments", maximum_number_of_segments), method, np);
+  return Protrusion_segmentation::internal::mesh_hierarchy<ConcurrencyTag>(pmesh, maximum_number_of_segments, method, np);
 }
 
 /*!

@@ -18,6 +18,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <exception>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -227,12 +228,31 @@ py::tuple evaluate(const Coordinates& vertices,
                         consistency.local_by_area);
 }
 
+// A `ValueError` with the names of the arguments in Python: what is `pmesh` in C++ is given as vertices and faces.
+void translate_invalid_argument(std::exception_ptr exception)
+{
+  try
+  {
+    if (exception)
+      std::rethrow_exception(exception);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    std::string message = error.what();
+    const std::string name = "pmesh";
+    if (const std::size_t place = message.find(name); place != std::string::npos)
+      message.replace(place, name.size(), "the mesh");
+    PyErr_SetString(PyExc_ValueError, message.c_str());
+  }
+}
+
 } // namespace
 } // namespace python
 
 PYBIND11_MODULE(_core, module)
 {
   module.attr("version") = PROTRUSION_SEGMENTATION_VERSION;
+  python::py::register_local_exception_translator(&python::translate_invalid_argument);
   module.def("segment", &python::segment);
   module.def("segment_from_tips", &python::segment_from_tips);
   module.def("hierarchy", &python::hierarchy);

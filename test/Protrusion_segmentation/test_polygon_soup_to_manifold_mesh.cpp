@@ -458,7 +458,10 @@ void bad_input_is_refused()
     {
       std::vector<Point_3> wrong = points;
       wrong[5] = Point_3(c == 0 ? bad : 1, c == 1 ? bad : 1, c == 2 ? bad : 1);
-      check_refused(wrong, Polygons{{0, 1, 2}}, "points: point 5 has a coordinate that is not finite");
+      check_refused(wrong, Polygons{{0, 1, 2}, {0, 1, 5}}, "points: point 5 has a coordinate that is not finite");
+      Mesh mesh; // of which the point is no part
+      CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(wrong, Polygons{{0, 1, 2}}, mesh);
+      CHECK_EQUAL(mesh.number_of_vertices(), 3);
     }
 }
 

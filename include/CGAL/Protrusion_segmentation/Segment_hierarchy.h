@@ -11,8 +11,10 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -62,15 +64,20 @@ public:
   template <typename FaceGraph, typename SegmentMap>
   void segment_ids(const FaceGraph& pmesh, std::size_t number_of_segments, SegmentMap segment_ids) const
   {
-    const std::vector<Index> ancestors = ancestors_below(number_of_segments);
-    if (static_cast<std::size_t>(std::distance(faces(pmesh).begin(), faces(pmesh).end())) !=
-        m_labels.size())
-      throw std::invalid_argument("pmesh is not the mesh of the hierarchy: it has another number of faces");
-    std::vector<Index> labels;
-    labels.reserve(m_labels.size());
-    for (Index label : m_labels)
-      labels.push_back(ancestors[label]);
-    internal::write_segments(pmesh, labels, segment_ids);
+    if constexpr (std::conjunction_v<internal::Check_mesh<FaceGraph>,
+                                     internal::Check_segment_map<FaceGraph, SegmentMap>>)
+    {
+      const std::vector<Index> ancestors = ancestors_below(number_of_segments);
+      const auto number_of_faces = static_cast<std::size_t>(std::distance(faces(pmesh).begin(), faces(pmesh).end()));
+      if (number_of_faces != m_labels.size())
+        throw std::invalid_argument("pmesh has " + std::to_string(number_of_faces) +
+                                    " faces, but the mesh of the hierarchy has " + std::to_string(m_labels.size()));
+      std::vector<Index> labels;
+      labels.reserve(m_labels.size());
+      for (Index label : m_labels)
+        labels.push_back(ancestors[label]);
+      internal::write_segments(pmesh, labels, segment_ids);
+    }
   }
 
 #ifndef DOXYGEN_RUNNING

@@ -75,7 +75,7 @@ polygons decides.
 
 \return which polygon became which face, and what had to be repaired
 
-\throw std::invalid_argument if a coordinate is not finite, if a corner is no index of a point, if there are no
+\throw std::invalid_argument if a coordinate of a corner is not finite, if a corner is no index of a point, if there are no
        polygons, or if none has three different corners; nothing is added to `output` then
 
 Complexity: O(n log n) for n corners of polygons and points, and the square of the number of faces around a vertex, which
@@ -95,9 +95,7 @@ Polygon_soup_correspondence<FaceGraph> polygon_soup_to_manifold_mesh(
   const CGAL_NP_CLASS_2& output_np = parameters::default_values())
 {
   const auto point_map = internal::point_map_of<PointRange>(np);
-  internal::Polygon_soup soup;
-  soup.points = internal::read_soup_points(points, point_map);
-  soup.polygons = internal::read_polygons(polygons, soup.points.size());
+  internal::Polygon_soup soup = internal::read_polygon_soup(points, point_map, polygons);
   return internal::write_manifold_surface(points, point_map, internal::manifold_surface(std::move(soup)),
                                           output, output_np);
 }

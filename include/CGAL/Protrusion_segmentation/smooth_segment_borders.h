@@ -59,7 +59,7 @@ lost or torn, such as one that is a single triangle wide, keeps its faces, and t
 \param pmesh the mesh. Faces may be any polygons; there may be boundaries and several components. No two edges may have the
        same two ends.
 \param segment_ids the segment of every face
-\param output the mesh to which the pieces of the faces are added
+\param output the mesh to which the pieces of the faces are added; it may not be `pmesh`
 \param output_segment_ids the segment of every new face
 \param old_faces for every new face the face of `pmesh` that it is, or is a piece of
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" for `pmesh`
