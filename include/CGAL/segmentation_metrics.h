@@ -31,8 +31,8 @@ in one of them, and in two segments in the other. This is one minus the Rand ind
 Faces are counted, not weighted. The two segmentations may be exchanged.
 
 The program of the Princeton Segmentation Benchmark does not divide by the number of pairs of <i>n</i> faces,
-<i>n</i> (<i>n</i> - 1) / 2, but by <i>n</i> &lfloor;(<i>n</i> - 1) / 2&rfloor;. To stand beside figures that
-were published with it, multiply the result by (<i>n</i> - 1) / (<i>n</i> - 2) if <i>n</i> is even and above 2,
+<i>n</i> (<i>n</i> - 1) / 2, but by <i>n</i> &lfloor;(<i>n</i> - 1) / 2&rfloor;. To compare the result with figures that
+were published with it, multiply it by (<i>n</i> - 1) / (<i>n</i> - 2) if <i>n</i> is even and above 2,
 and cut it to 1; the tool `evaluate_segmentation` does.
 
 \tparam FaceGraph a model of `FaceListGraph`
@@ -95,7 +95,7 @@ rates and keeps the distance.
 \cgalNamedParamsEnd
 
 \return distance, missing rate and false-alarm rate, each in [0, 1)
-\throw std::invalid_argument if a coordinate is not finite
+\throw std::invalid_argument if a coordinate of a vertex with a face is not finite
 
 Complexity: linear in the number of faces, in expectation.
 */
@@ -139,7 +139,7 @@ once, as the benchmark's program does.
 \param pmesh, segment_ids, reference_ids, np as for `segmentation_hamming_distance()`
 
 \return the four errors, each in [0, 1)
-\throw std::invalid_argument if a coordinate is not finite
+\throw std::invalid_argument if a coordinate of a vertex with a face is not finite
 
 Complexity: linear in the number of faces, in expectation.
 */
@@ -240,7 +240,7 @@ returns all metrics at once: `segmentation_rand_index_error()`, `segmentation_ha
 \param pmesh, segment_ids, reference_ids, np as for `segmentation_cut_discrepancy()`
 
 \return the metrics
-\throw std::invalid_argument if a coordinate is not finite
+\throw std::invalid_argument if a coordinate of a vertex with a face is not finite
 
 Complexity: that of `segmentation_cut_discrepancy()`.
 */

@@ -27,16 +27,16 @@ namespace Protrusion_segmentation {
 The nested protrusions of a surface (Figure 1 of the paper) as a tree, and with it the segmentations for every
 number of segments.
 
-The bodies of the connected components have the first numbers, one each, the largest component 0. The other segments
-are protrusions, in the order in which their borders were chosen; each sticks out of its parent. The segmentation with one segment less is
-found by joining the last segment to its parent; what stuck out of it then sticks out of the parent.
+The bodies of the connected components have the first numbers, one each; that of the largest component has the number 0. The
+other segments are protrusions, in the order in which their borders were chosen; each sticks out of its parent. The
+segmentation with one segment less joins the last segment to its parent, which becomes the parent of what stuck out of it.
 
 An object of this class is made by `CGAL::protrusion_hierarchy()` and keeps no reference to the mesh.
 */
 class Segment_hierarchy
 {
 public:
-  /// \return the number of connected components of the mesh that are no specks, the least number of segments
+  /// \return the number of connected components of the mesh that are not small, the least number of segments
   std::size_t minimum_number_of_segments() const { return m_number_of_components; }
 
   /// \return the largest number of segments

@@ -36,7 +36,9 @@ finds the borders between segments as lines of edges. The boundary of the mesh i
 
 \return `borders`, advanced
 
-Complexity: linear in the number of edges; where many edges of a segment meet at one vertex, each goes around it.
+Throws nothing of its own.
+
+Complexity: linear in the number of edges, and in the sum of the squares of the numbers of border edges at a vertex.
 */
 template <typename FaceGraph,
           typename SegmentMap,

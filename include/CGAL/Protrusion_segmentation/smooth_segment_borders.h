@@ -27,22 +27,22 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-moves the borders between segments, which are ragged by a triangle, to smooth lines on the surface, and cuts faces along
-them: makes a new mesh, with the segment and the old face of every new one.
+moves the borders between segments to smooth lines on the surface and cuts faces along them. The result is a new mesh,
+with the segment and the old face of every new face.
 
 At every vertex, each segment has a share: at first that of the angles of its faces. The shares are averaged with those of
-the neighbors, again and again. Where two of them are equal, there is the border. It crosses edges at new vertices; where
-three segments meet in a face, there is a new vertex in it. The old vertices stay where they are, the new ones lie on
+the neighbors several times. The border lies where two of them are equal. It crosses edges at new vertices; where
+three segments meet in a face, there is a new vertex in it. The old vertices stay in place, and the new ones lie on
 old edges and faces, so that the surface is the same. It is closed if it was. Pieces of triangles are triangles. A face
-that no border crosses stays as it is.
+that no border crosses is not changed.
 
-No border between two segments gets longer, but for rounding, and no two segments get a border that had none. A border that
-would not get shorter stays along its edges: it was as straight as the mesh allows, or runs around something thin between
-long faces. Borders of other segments may end at it. If they would draw it out there, or if two segments would come to
-touch, borders stay along their edges around the vertices where they meet; if that does not suffice, those next to them
-stay, too, in the end all. With many iterations, a border of two segments that touch others, too, may vanish.
+No border between two segments gets longer, except for rounding, and no two segments get a border that had none. A border that
+would not get shorter stays along its edges; borders of other segments may end at it. If this would lengthen those, or
+let two segments touch, borders stay along their edges around the vertices where they meet; if that does not suffice,
+neighboring borders stay, too, and in the end all. With many iterations, the border between two segments with other neighbors
+may vanish.
 
-Segments keep their ids and their number, and each stays in as many connected parts as it was. A segment that would be
+Segments keep their ids and their number, and each keeps its number of connected parts. A segment that would be
 lost or torn, such as one that is a single triangle wide, keeps its faces, and the borders of the others end at it.
 
 \tparam FaceGraph a model of `FaceListGraph` with a point for each vertex
@@ -74,8 +74,9 @@ lost or torn, such as one that is a single triangle wide, keeps its faces, and t
     \cgalParamDefault{`boost::get(CGAL::vertex_point, pmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{number_of_iterations}
-    \cgalParamDescription{how often shares are averaged. With more, borders get straighter and move farther, up to about
-                          as many edges as the root of the number. 0 leaves all borders where they are.}
+    \cgalParamDescription{how often shares are averaged, at least 0. With more iterations, borders get straighter and move
+                          farther, up to about as many edges as the square root of the number. With 0, all borders
+                          stay in place.}
     \cgalParamType{`unsigned int`}
     \cgalParamDefault{`3`}
   \cgalParamNEnd
@@ -86,9 +87,8 @@ lost or torn, such as one that is a single triangle wide, keeps its faces, and t
 \throw std::invalid_argument if a coordinate is not finite, if two edges have the same two ends, or if the number of
        iterations is negative; nothing is added to `output` then
 
-Complexity: O(n log n) for n edges, and linear in the number of iterations near borders; the square of the number of faces
-around a vertex, which shows from ten thousands on. This comes again whenever more of the borders turns out to have to stay,
-which is most often a few times.
+Complexity: O(n log n) for n edges, linear in the number of iterations, and the square of the number of faces around a
+vertex. Each time that further borders have to stay, this is repeated, usually a few times.
 */
 template <typename FaceGraph,
           typename SegmentMap,
