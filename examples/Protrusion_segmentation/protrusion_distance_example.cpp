@@ -5,6 +5,7 @@
 // A distance of one's own: ways across bent edges are longer, so that its level sets, and with them
 // the borders, gather where the surface is bent. The paper's method gets it in place of its own.
 
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/protrusion_segmentation.h>

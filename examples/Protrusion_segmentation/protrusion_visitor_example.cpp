@@ -5,6 +5,7 @@
 // Watches a segmentation: its progress, the histograms of each protrusion and the slot of its
 // border. Stops it after five seconds.
 
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/protrusion_segmentation.h>

@@ -6,7 +6,6 @@
 #define CGAL_PROTRUSION_SEGMENTATION_H
 
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
-#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
@@ -157,7 +156,7 @@ it stops if no evident protrusion remains, the first criterion of Section III of
 \tparam Method `Protrusion_segmentation::Minimum_cut_method` or `Protrusion_segmentation::Histogram_method`
 
 \param method the method with its options and its distance, for instance a `Protrusion_segmentation::Histogram_method`
-       that is made from a `Protrusion_segmentation::Landmark_geodesic_distance`
+       that is made from a `Protrusion_segmentation::Landmark_geodesic_distance`. Its header is included separately.
 \param pmesh, segment_ids, np as for the function without a method
 
 \return the number of segments; 0 if and only if the mesh has no faces

@@ -9,6 +9,7 @@
 #include "Scene_surface_mesh_item.h"
 #include "ui_Protrusion_segmentation_widget.h"
 
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Three/Polyhedron_demo_plugin_helper.h>
 #include <CGAL/Three/Polyhedron_demo_plugin_interface.h>
 #include <CGAL/Three/Scene_group_item.h>

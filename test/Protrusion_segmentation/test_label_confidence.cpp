@@ -7,6 +7,7 @@
 #include "check.h"
 #include "test_meshes.h"
 
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/protrusion_segmentation.h>

@@ -25,7 +25,7 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationMethods
 
-The method of the paper: borders from two histograms (Section III.D), in the order of steps of Section III.A.
+The method of the paper, which `protrusion_segmentation.h` does not include: borders from two histograms (Section III.D), in the order of steps of Section III.A.
 
 From a protrusion tip to the farthest face, the distances are divided into 100 slots. The number of faces
 in each slot is the distance histogram, the diameter of the surface's section in each slot the
@@ -108,7 +108,7 @@ private:
 } // namespace Protrusion_segmentation
 } // namespace CGAL
 
-#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
+#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED)
 
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/Histogram_segmentation.h>

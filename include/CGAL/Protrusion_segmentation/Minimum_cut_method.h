@@ -86,7 +86,7 @@ private:
 } // namespace Protrusion_segmentation
 } // namespace CGAL
 
-#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
+#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED)
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_segmentation.h>
 

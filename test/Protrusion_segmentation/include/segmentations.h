@@ -11,6 +11,7 @@
 #include "check.h"
 #include "test_mesh.h"
 
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Protrusion_segmentation/internal/validation.h>
 #include <CGAL/protrusion_segmentation.h>
 
