@@ -11,6 +11,7 @@ write_basic_package_version_file(
   COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES
   cmake/Protrusion_segmentationComponents.cmake
+  cmake/methods.cpp
   ${CMAKE_CURRENT_BINARY_DIR}/Protrusion_segmentationConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/Protrusion_segmentationConfigVersion.cmake
   DESTINATION ${config_folder})

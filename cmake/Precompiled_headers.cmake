@@ -6,12 +6,11 @@ if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 set(headers
-  <boost/pending/disjoint_sets.hpp> # does not compile after the headers of Boost Graph
   <CGAL/Simple_cartesian.h> <CGAL/Surface_mesh.h> <CGAL/boost/graph/Euler_operations.h>
   <CGAL/boost/graph/helpers.h> <CGAL/Named_function_parameters.h> <boost/graph/dijkstra_shortest_paths.hpp>
   <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <iostream> <map> <numeric> <optional>
   <random> <set> <sstream> <string> <vector>
-  <CGAL/protrusion_segmentation.h> <CGAL/segmentation_metrics.h> <CGAL/boost/graph/generators.h>)
+  <CGAL/Protrusion_segmentation/Histogram_method.h> <CGAL/protrusion_segmentation.h> <CGAL/segmentation_metrics.h> <CGAL/boost/graph/generators.h>)
 
 function(protrusion_precompile set options)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${set}.cpp CONTENT "")

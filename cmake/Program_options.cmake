@@ -35,24 +35,23 @@ if(PROTRUSION_SEGMENTATION_SANITIZERS)
     -fsanitize=${PROTRUSION_SEGMENTATION_SANITIZERS})
 endif()
 
-# The methods, compiled once for all programs but those that are to have every header as users have it.
+# The methods and distances, compiled once for all programs but those that are to have every header as users have it.
 if(PROTRUSION_SEGMENTATION_LINK_METHODS)
-  set(methods ${CMAKE_CURRENT_LIST_DIR}/methods.cpp)
-  add_library(protrusion_methods STATIC EXCLUDE_FROM_ALL ${methods} ${CMAKE_CURRENT_LIST_DIR}/distances.cpp)
-  set_target_properties(protrusion_methods PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_sources(Protrusion_segmentation_compiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/distances.cpp)
+  target_compile_definitions(Protrusion_segmentation_compiled
+    INTERFACE CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES)
   # As much as for users, whatever the tests are compiled with: they run faster, and g++ makes most of the same labels.
   # Eigen's part of the distances takes the compiler several times as long then.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT PROTRUSION_SEGMENTATION_SANITIZERS)
-    set_source_files_properties(${methods} PROPERTIES COMPILE_OPTIONS -O3)
+    set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/methods.cpp PROPERTIES COMPILE_OPTIONS -O3)
   endif()
   get_target_property(options protrusion_program INTERFACE_LINK_LIBRARIES)
-  target_link_libraries(protrusion_methods PRIVATE ${options})
+  target_link_libraries(Protrusion_segmentation_compiled PRIVATE ${options})
   get_target_property(options protrusion_program INTERFACE_COMPILE_OPTIONS)
   if(options)
-    target_compile_options(protrusion_methods PRIVATE ${options})
+    target_compile_options(Protrusion_segmentation_compiled PRIVATE ${options})
   endif()
-  target_compile_definitions(protrusion_program INTERFACE CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
-  target_link_libraries(protrusion_program INTERFACE protrusion_methods)
+  target_link_libraries(protrusion_program INTERFACE Protrusion_segmentation_compiled)
 endif()
 
 # protrusion_add_program(NAME SOURCE... [LIBRARIES LIBRARY...])

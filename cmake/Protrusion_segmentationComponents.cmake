@@ -10,6 +10,16 @@
 # Sets Protrusion_segmentation_<NAME>_FOUND. CGAL has been found before. The targets are those of CGAL's
 # own support modules: by them CGAL knows, too, that the library may be used.
 
+# The methods as a static library, which is compiled once in the project that links
+# CGAL::Protrusion_segmentation_compiled in place of CGAL::Protrusion_segmentation, with that project's options.
+if(NOT TARGET Protrusion_segmentation_compiled)
+  add_library(Protrusion_segmentation_compiled STATIC EXCLUDE_FROM_ALL ${CMAKE_CURRENT_LIST_DIR}/methods.cpp)
+  add_library(CGAL::Protrusion_segmentation_compiled ALIAS Protrusion_segmentation_compiled)
+  target_link_libraries(Protrusion_segmentation_compiled PUBLIC CGAL::Protrusion_segmentation)
+  target_compile_definitions(Protrusion_segmentation_compiled INTERFACE CGAL_PROTRUSION_SEGMENTATION_COMPILED)
+  set_target_properties(Protrusion_segmentation_compiled PROPERTIES POSITION_INDEPENDENT_CODE ON)
+endif()
+
 macro(protrusion_segmentation_find_component name)
   set(Protrusion_segmentation_${name}_FOUND FALSE)
   set(protrusion_segmentation_needs)

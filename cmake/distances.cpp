@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the distances that need a library do, for the tests, which see declarations only: `internal/inline.h` says more.
+// The distances that need a library, compiled once for the tests: `internal/inline.h` says more.
 
 #define CGAL_PROTRUSION_SEGMENTATION_INLINE
 

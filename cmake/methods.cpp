@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the methods do, for the tests, which see declarations only: `internal/inline.h` says more.
+// The methods, for CGAL::Protrusion_segmentation_compiled: `internal/inline.h` says more.
 
 #define CGAL_PROTRUSION_SEGMENTATION_INLINE
 

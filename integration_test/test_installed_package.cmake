@@ -1,5 +1,5 @@
 # Installs the package into a folder of its own, then configures, builds and runs projects that find it
-# there: the README's program without components, and another one with all. The definitions BUILD_FOLDER, PROJECT_FOLDER,
+# there: the README's program without components, the same with the compiled methods, and another one with all components. The definitions BUILD_FOLDER, PROJECT_FOLDER,
 # DATA_FOLDER, WORK_FOLDER, GENERATOR, CXX_COMPILER and OPTIONS come from the command line.
 
 function(run)
@@ -8,7 +8,7 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK_FOLDER})
 run(${CMAKE_COMMAND} --install ${BUILD_FOLDER} --prefix ${WORK_FOLDER}/installed)
-foreach(project . with_components)
+foreach(project . compiled with_components)
   set(build_folder ${WORK_FOLDER}/build/${project})
   run(${CMAKE_COMMAND} -S ${PROJECT_FOLDER}/${project} -B ${build_folder} -G ${GENERATOR}
       -DCMAKE_CXX_COMPILER=${CXX_COMPILER} -DCMAKE_BUILD_TYPE=Release

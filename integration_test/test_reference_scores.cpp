@@ -94,7 +94,8 @@ std::map<std::string, std::vector<Row>> rows_by_model(const std::string& file_na
 
 std::vector<double> scores(const Mesh& mesh, Segment_id_map segment_ids, Segment_id_map reference_ids)
 {
-  const auto metrics = CGAL::segmentation_metrics(mesh, segment_ids, reference_ids);
+  const auto metrics = CGAL::Protrusion_segmentation::segmentation_metrics(mesh, segment_ids,
+                                                                           reference_ids);
   const auto& consistency = metrics.consistency_error;
   const auto& hamming = metrics.hamming_distance;
   const double rand_index_error = rand_index_error_of_benchmark(metrics.rand_index_error, mesh.number_of_faces());

@@ -169,7 +169,7 @@ def check_renaming(page):
 
 
 def check_colors(page, record):
-    """Body and protrusions get the colour of their least value; the one to check first is red."""
+    """Body and protrusions get the colour of their confidence; the one to check first is red."""
     before = page.run("return Array.from(report.view.geometry.attributes.color.array)")
     page.run("const c = document.getElementById('colors'); c.value = 'confidence'; c.dispatchEvent(new Event('change'));")
     expect(page.run("return Array.from(report.view.geometry.attributes.color.array)") != before, "the colours stay")

@@ -127,7 +127,7 @@ Metrics metrics_of_benchmark(const tool::Mesh& mesh,
                              const tool::Segment_ids& segments,
                              const tool::Segment_ids& reference)
 {
-  Metrics metrics = CGAL::segmentation_metrics(mesh, segments, reference);
+  Metrics metrics = CGAL::Protrusion_segmentation::segmentation_metrics(mesh, segments, reference);
   metrics.rand_index_error = rand_index_error_of_benchmark(metrics.rand_index_error, mesh.number_of_faces());
   return metrics;
 }

@@ -5,6 +5,7 @@
 // A distance of one's own: ways across bent edges are longer, so that its level sets, and with them
 // the borders, gather where the surface is bent. The paper's method gets it in place of its own.
 
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/protrusion_segmentation.h>
@@ -95,7 +96,7 @@ int main(int argc, char* argv[])
 
   // Segments may be numbered differently, so it is pairs of faces that are compared.
   std::cout << number_of_segments << " segments; the distances disagree for a share of "
-            << CGAL::segmentation_rand_index_error(mesh, usual, own)
+            << CGAL::Protrusion_segmentation::segmentation_rand_index_error(mesh, usual, own)
             << "\nof all pairs of faces whether they belong together" << std::endl;
   return EXIT_SUCCESS;
 }

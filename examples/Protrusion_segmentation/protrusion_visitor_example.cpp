@@ -5,6 +5,7 @@
 // Watches a segmentation: its progress, the histograms of each protrusion and the slot of its
 // border. Stops it after five seconds.
 
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/protrusion_segmentation.h>
@@ -24,7 +25,7 @@ using CGAL::Protrusion_segmentation::Protrusion;
 class Watcher : public CGAL::Protrusion_segmentation::Segmentation_visitor<Mesh>
 {
 public:
-  void on_progress(double share) override
+  void on_progress(double share)
   {
     if (share < m_next_share)
       return;
@@ -33,7 +34,7 @@ public:
   }
 
   // a bar for every fourth slot: the number of faces at that distance from the tip
-  void on_protrusion(const Protrusion<Face>& protrusion) override
+  void on_protrusion(const Protrusion<Face>& protrusion)
   {
     std::cout << "segment " << protrusion.segment << " with its tip at face " << protrusion.tip.idx() << "\n";
     const std::vector<std::size_t>& histogram = protrusion.distance_histogram;
@@ -42,12 +43,12 @@ public:
       const std::size_t largest = *std::max_element(histogram.begin(), histogram.end());
       const std::size_t length = 60 * histogram[slot] / largest;
       const double diameter = protrusion.sectional_diameter_histogram[slot];
-      std::cout << (slot / 4 == protrusion.border_slot / 4 ? "border " : "       ")
+      std::cout << (slot / 4 == protrusion.border_slot.value() / 4 ? "border " : "       ")
                 << std::string(length, '#') << "  diameter " << diameter << "\n";
     }
   }
 
-  bool go_further() override { return std::chrono::steady_clock::now() < m_end; }
+  bool go_further() { return std::chrono::steady_clock::now() < m_end; }
 
 private:
   double m_next_share = 0;
@@ -65,11 +66,15 @@ int main(int argc, char* argv[])
   auto segments = mesh.add_property_map<Face, std::size_t>("f:segment").first;
   Watcher watcher;
   const CGAL::Protrusion_segmentation::Histogram_method method; // the one that has histograms
-  const std::size_t number_of_segments = CGAL::segmentation_via_protrusion_tips(
-    mesh, segments, 7, method, CGAL::parameters::visitor(std::ref(watcher)));
-  if (number_of_segments == 0)
-    std::cout << "stopped, nothing is segmented" << std::endl;
-  else
+  try
+  {
+    const std::size_t number_of_segments = CGAL::segmentation_via_protrusion_tips(
+      mesh, segments, 7, method, CGAL::parameters::visitor(std::ref(watcher)));
     std::cout << number_of_segments << " segments" << std::endl;
+  }
+  catch (const CGAL::Protrusion_segmentation::Segmentation_stopped&)
+  {
+    std::cout << "stopped, nothing is segmented" << std::endl;
+  }
   return EXIT_SUCCESS;
 }

@@ -63,7 +63,7 @@ int main(int argc, char* argv[])
   }
 
   Mesh mesh;
-  const auto found = CGAL::polygon_soup_to_manifold_mesh(points, polygons, mesh);
+  const auto found = CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(points, polygons, mesh);
   std::cout << polygons.size() << " polygons: " << found.repairs.duplicate_polygons << " duplicates, "
             << found.repairs.reversed_polygons << " turned over; " << found.repairs.components << " component(s)"
             << std::endl;

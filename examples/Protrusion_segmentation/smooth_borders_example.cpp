@@ -21,15 +21,6 @@ using Point = CGAL::Simple_cartesian<double>::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
 using Face = Mesh::Face_index;
 using Border = CGAL::Protrusion_segmentation::Segment_border<Point>;
-using Protrusion = CGAL::Protrusion_segmentation::Protrusion<Face>;
-
-// Keeps what is known of the protrusions.
-struct Protrusion_keeper : CGAL::Protrusion_segmentation::Segmentation_visitor<Mesh>
-{
-  void on_protrusion(const Protrusion& protrusion) override { protrusions.push_back(protrusion); }
-
-  std::vector<Protrusion> protrusions;
-};
 
 // smooth_borders_example [MESH]
 int main(int argc, char* argv[])
@@ -39,19 +30,19 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
 
   const auto segments = mesh.add_property_map<Face, std::size_t>("f:segment").first;
-  Protrusion_keeper keeper;
-  CGAL::segmentation_via_protrusion_tips(mesh, segments, CGAL::parameters::visitor(std::ref(keeper)));
+  CGAL::Protrusion_segmentation::Segmentation_record<Mesh> record;
+  CGAL::segmentation_via_protrusion_tips(mesh, segments, CGAL::parameters::visitor(std::ref(record)));
 
   Mesh smooth; // whose property maps take the faces that are added to it
   const auto smooth_segments = smooth.add_property_map<Face, std::size_t>("f:segment").first;
   const auto old_faces = smooth.add_property_map<Face, Face>("f:old_face").first;
-  CGAL::smooth_segment_borders(mesh, segments, smooth, smooth_segments, old_faces);
+  CGAL::Protrusion_segmentation::smooth_segment_borders(mesh, segments, smooth, smooth_segments,
+                                                        old_faces);
   std::cout << mesh.number_of_faces() << " faces become " << smooth.number_of_faces() << std::endl;
 
   std::vector<Border> borders;
-  CGAL::segment_borders(smooth, smooth_segments, std::back_inserter(borders));
-  const CGAL::Protrusion_segmentation::Border_values values(keeper.protrusions);
-  const auto value = [&](const Border& border) { return values.value(border.segments[0], border.segments[1]); };
+  CGAL::Protrusion_segmentation::segment_borders(smooth, smooth_segments, std::back_inserter(borders));
+  const auto value = [&](const Border& border) { return record.value(border.segments[0], border.segments[1]).value(); };
   std::sort(borders.begin(), borders.end(),
             [&](const Border& a, const Border& b) { return value(a) < value(b); });
   for (const Border& border : borders)

@@ -6,10 +6,11 @@
 #define CGAL_PROTRUSION_SEGMENTATION_H
 
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
-#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
+#include <CGAL/Protrusion_segmentation/Segmentation_record.h>
+#include <CGAL/Protrusion_segmentation/Segmentation_stopped.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
 #include <CGAL/Protrusion_segmentation/label_confidence.h>
 #include <CGAL/Protrusion_segmentation/internal/segment_mesh.h>
@@ -21,60 +22,51 @@
 
 #include <cstddef>
 #include <optional>
-#include <vector>
 
 namespace CGAL {
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-splits a surface mesh into a body and its protrusions, by a method of choice.
+splits a surface mesh into a body and its protrusions, by `Protrusion_segmentation::Minimum_cut_method`. The method finds
+the number of segments: it stops if no evident protrusion remains.
 
-Segment ids are 0 to n-1, where n is the returned number. Every segment is a connected set of faces, but for specks. The
-first ids are those of the bodies, one in each connected component, the largest first; the others are those of protrusions, in the order in which
-their borders were chosen. The ids depend on where the faces are and not on the order of `faces(tmesh)`, except for
-faces with the same centroid.
+Segment ids are 0 to n-1, where n is the returned number. The first ids are those of the bodies, one in each connected
+component, the largest body first. The others are those of protrusions, in the order in which their borders were chosen. The
+ids depend on the positions of the faces and not on the order of `faces(pmesh)`, except for faces with the same centroid.
 
-For `Minimum_cut_method`, the body is the segment in the middle: if it is taken away, every connected piece that is left
-of the component has at most half of its area. For `Histogram_method`, the protrusion is the side of the tip, and the
-body is what is left in the end.
+Every segment is a connected set of faces, except for <em>small components</em>, such as the dust of a scanner. These are
+connected components with less than a thousandth of the area of the largest one and fewer faces. They get no segments of
+their own. All other components are segmented as if there were no small ones. A small component gets the segment of the
+nearest face of the others, from centroid to centroid. The function `on_specks()` of a visitor tells their number.
 
-There are fewer segments than asked for if no more borders are found, and more only if there are more connected
-components: each of them has at least one segment.
+For `Minimum_cut_method`, the body is the segment in the middle: without it, every connected piece of the component has
+at most half of its area. For `Histogram_method`, the protrusion is the side of the tip, and the body is the rest.
 
-*Specks*, as dust of a scanner, get no segments of their own: connected components with less than a thousandth of the area of
-the largest one and fewer faces. All others are segmented as if there were none, and a speck gets the segment of the nearest
-of their faces, from centroid to centroid. `Protrusion_segmentation::Segmentation_visitor::on_specks()` tells their number.
-
-Coordinates are converted to `double` by `CGAL::to_double()`, whatever the kernel of the points is: those of an
-exact kernel are rounded.
+Coordinates are converted to `double` by `CGAL::to_double()`, whatever the kernel of the points is; those of an exact
+kernel are rounded.
 
 \tparam ConcurrencyTag `Sequential_tag`, the default, or `Parallel_tag`, which needs oneTBB. The segments are the
                        same.
 \tparam FaceGraph a model of `FaceListGraph` with a point for each vertex
 \tparam SegmentMap a model of `WritablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor`
                    as key type and an integer type as value type that is wide enough for the ids
-\tparam Number any integer type
-\tparam Method `Protrusion_segmentation::Minimum_cut_method` or `Protrusion_segmentation::Histogram_method`
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tmesh the mesh. Faces may be any polygons; there may be borders and several components.
-\param segment_ids the segment of every face; written only if the function succeeds
-\param number_of_segments the number of segments k, from 1 to the number of faces
-\param method the method with its options and its distance, for instance a `Protrusion_segmentation::Histogram_method`
-       that is made from a `Protrusion_segmentation::Landmark_geodesic_distance`
+\param pmesh the mesh. Faces may be any polygons; there may be borders and several components.
+\param segment_ids the segment of every face, from 0 to n-1; written only if the function succeeds
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{a property map associating points to the vertices of `tmesh`}
+    \cgalParamDescription{a property map associating points to the vertices of `pmesh`}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<FaceGraph>::%vertex_descriptor` as key type and a point type with
                    `x()`, `y()` and `z()` as value type}
-    \cgalParamDefault{`boost::get(CGAL::vertex_point, tmesh)`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, pmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{random_seed}
-    \cgalParamDescription{the seed of everything random, such as the landmarks of
+    \cgalParamDescription{the seed of all random choices, such as the landmarks of
                           `Protrusion_segmentation::Landmark_geodesic_distance`; the same seed gives the
                           same segments}
     \cgalParamType{`unsigned int`}
@@ -90,18 +82,122 @@ exact kernel are rounded.
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of the progress and of what was found, and can stop the function. It is
                           copied unless it is passed by `std::ref()`.}
-    \cgalParamType{a class that derives from `Protrusion_segmentation::Segmentation_visitor<FaceGraph>`}
+    \cgalParamType{a class model of `ProtrusionSegmentationVisitor`, such as
+                   `Protrusion_segmentation::Segmentation_record<FaceGraph>`}
     \cgalParamDefault{`Protrusion_segmentation::Segmentation_visitor<FaceGraph>`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the number of segments, or 0 if the visitor stopped the function, or if the mesh has no faces and no
-        number of segments is given; in both cases nothing is written
+\return the number of segments; 0 if and only if the mesh has no faces
 
-\throw std::invalid_argument if `number_of_segments` is below 1 or larger than the number of faces, if a
-       coordinate is not finite, if the value type of `segment_ids` is too narrow for the ids, or if a distance of a user's gives anything else than numbers from 0 on
+\throw std::invalid_argument if a coordinate of a vertex with a face is not finite, or if the value type of `segment_ids` is
+       too narrow for the ids
+\throw std::length_error if the faces have 2<sup>32</sup> - 1 corners or more
+\throw Protrusion_segmentation::Segmentation_stopped if the visitor stops the function
 
 Complexity: that of the method.
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename SegmentMap,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::size_t segmentation_via_protrusion_tips(const FaceGraph& pmesh,
+                                             SegmentMap segment_ids,
+                                             const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(
+    pmesh, segment_ids, std::nullopt, Protrusion_segmentation::Minimum_cut_method(), np);
+}
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+splits a surface mesh into `number_of_segments` segments, by `Protrusion_segmentation::Minimum_cut_method`.
+
+There are fewer segments if no more borders are found, and more only if there are more connected components: each of them
+has at least one segment.
+
+\tparam ConcurrencyTag, FaceGraph, SegmentMap, NamedParameters as for the function without a number
+\tparam Number any integer type
+
+\param number_of_segments the number of segments, from 1 to the number of faces
+\param pmesh, segment_ids, np as for the function without a number
+
+\return the number of segments
+
+\throw std::invalid_argument as the function without a number, and if `number_of_segments` is out of its range
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename SegmentMap,
+          typename Number,
+          typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          ,
+          Protrusion_segmentation::internal::If_number<Number> = 0
+#endif
+          >
+std::size_t segmentation_via_protrusion_tips(const FaceGraph& pmesh,
+                                             SegmentMap segment_ids,
+                                             Number number_of_segments,
+                                             const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(
+    pmesh, segment_ids, number_of_segments, Protrusion_segmentation::Minimum_cut_method(), np);
+}
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+splits a surface mesh into a body and its protrusions, by a method of choice. The method finds the number of segments:
+it stops if no evident protrusion remains, the first criterion of Section III of the paper.
+
+\tparam ConcurrencyTag, FaceGraph, SegmentMap, NamedParameters as for the function without a method
+\tparam Method `Protrusion_segmentation::Minimum_cut_method` or `Protrusion_segmentation::Histogram_method`
+
+\param method the method with its options and its distance, for instance a `Protrusion_segmentation::Histogram_method`
+       that is made from a `Protrusion_segmentation::Landmark_geodesic_distance`. Its header is included separately.
+\param pmesh, segment_ids, np as for the function without a method
+
+\return the number of segments; 0 if and only if the mesh has no faces
+
+\throw std::invalid_argument as the function without a method, and if a distance of a user gives a number that is negative
+       or no number
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename SegmentMap,
+          typename Method,
+          typename CGAL_NP_TEMPLATE_PARAMETERS
+#ifndef DOXYGEN_RUNNING
+          ,
+          Protrusion_segmentation::internal::If_method<Method> = 0
+#endif
+          >
+std::size_t segmentation_via_protrusion_tips(const FaceGraph& pmesh,
+                                             SegmentMap segment_ids,
+                                             const Method& method,
+                                             const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(pmesh, segment_ids, std::nullopt, method, np);
+}
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+splits a surface mesh into `number_of_segments` segments, by a method of choice.
+
+\tparam ConcurrencyTag, FaceGraph, SegmentMap, NamedParameters as for the function without number and method
+\tparam Number any integer type
+\tparam Method as for the function with a method
+
+\param number_of_segments the number of segments, from 1 to the number of faces
+\param method the method with its options and its distance
+\param pmesh, segment_ids, np as for the function without number and method
+
+\return the number of segments, as for the function with a number
+
+\throw std::invalid_argument as the functions with a number and with a method
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename FaceGraph,
@@ -115,92 +211,14 @@ template <typename ConcurrencyTag = Sequential_tag,
           Protrusion_segmentation::internal::If_method<Method> = 0
 #endif
           >
-std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
+std::size_t segmentation_via_protrusion_tips(const FaceGraph& pmesh,
                                              SegmentMap segment_ids,
                                              Number number_of_segments,
                                              const Method& method,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  namespace internal = Protrusion_segmentation::internal;
-
-  return internal::segment_mesh<ConcurrencyTag>(
-    tmesh, segment_ids, internal::checked_count("number_of_segments", number_of_segments), method, np);
-}
-
-/*!
-\ingroup PkgProtrusionSegmentationRef
-
-splits a surface mesh into a body and its evident protrusions, by a method of choice. The method stops by itself: the
-first criterion of Section III of the paper.
-
-\param tmesh, segment_ids, method, np as for the function with a number of segments and a method
-\return as for the function with a number of segments and a method
-*/
-template <typename ConcurrencyTag = Sequential_tag,
-          typename FaceGraph,
-          typename SegmentMap,
-          typename Method,
-          typename CGAL_NP_TEMPLATE_PARAMETERS
-#ifndef DOXYGEN_RUNNING
-          ,
-          Protrusion_segmentation::internal::If_method<Method> = 0
-#endif
-          >
-std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
-                                             SegmentMap segment_ids,
-                                             const Method& method,
-                                             const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(tmesh, segment_ids, std::nullopt, method, np);
-}
-
-/*!
-\ingroup PkgProtrusionSegmentationRef
-
-splits a surface mesh into `number_of_segments` segments by the default method,
-`Protrusion_segmentation::Minimum_cut_method`.
-
-\param tmesh, segment_ids, number_of_segments, np as for the function with a number of segments and a method
-\return as for the function with a number of segments and a method
-*/
-template <typename ConcurrencyTag = Sequential_tag,
-          typename FaceGraph,
-          typename SegmentMap,
-          typename Number,
-          typename CGAL_NP_TEMPLATE_PARAMETERS
-#ifndef DOXYGEN_RUNNING
-          ,
-          Protrusion_segmentation::internal::If_number<Number> = 0
-#endif
-          >
-std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
-                                             SegmentMap segment_ids,
-                                             Number number_of_segments,
-                                             const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return segmentation_via_protrusion_tips<ConcurrencyTag>(tmesh, segment_ids, number_of_segments,
-                                                          Protrusion_segmentation::Minimum_cut_method(), np);
-}
-
-/*!
-\ingroup PkgProtrusionSegmentationRef
-
-splits a surface mesh into a body and its evident protrusions by the default method,
-`Protrusion_segmentation::Minimum_cut_method`.
-
-\param tmesh, segment_ids, np as for the function with a number of segments and a method
-\return as for the function with a number of segments and a method
-*/
-template <typename ConcurrencyTag = Sequential_tag,
-          typename FaceGraph,
-          typename SegmentMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
-std::size_t segmentation_via_protrusion_tips(const FaceGraph& tmesh,
-                                             SegmentMap segment_ids,
-                                             const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return segmentation_via_protrusion_tips<ConcurrencyTag>(tmesh, segment_ids,
-                                                          Protrusion_segmentation::Minimum_cut_method(), np);
+  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(pmesh, segment_ids, number_of_segments, method,
+                                                                         np);
 }
 
 #ifndef DOXYGEN_RUNNING
@@ -218,35 +236,66 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph&, SegmentMap, const
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-selects protrusion tips, faces far from each other along the surface.
+selects protrusion tips, faces far from each other along the surface, by `Protrusion_segmentation::Geodesic_distance`.
 
 The first tip is the face with the largest sum of distances to all faces, eq.&nbsp;(1) in Section III.C of the paper.
 Every further tip is the face farthest from all tips so far, eq.&nbsp;(2).
 
 If the mesh has several connected components, large ones get more tips: every tip goes to the component with the largest
-quotient of its area and the number of tips that it would then have. Specks, as `segmentation_via_protrusion_tips()` defines them,
-get none.
+quotient of its area and the number of tips that it would then have. Small components, as
+`segmentation_via_protrusion_tips()` defines them, get none.
 
 \tparam ConcurrencyTag as for `segmentation_via_protrusion_tips()`
+\tparam FaceGraph a model of `FaceListGraph` with a point for each vertex
 \tparam Number any integer type
 \tparam OutputIterator a model of `OutputIterator` that accepts
                        `boost::graph_traits<FaceGraph>::%face_descriptor`
-\tparam Distance a model of `ProtrusionDistance`
+\tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tmesh the mesh
-\param number_of_tips the number of tips, at most the number of faces
-\param tips where the faces at the tips are written, in the order of selection in each component; fewer than
-            asked for if all remaining faces are at distance 0 from a tip; none if the visitor stops the function
-\param distance the distance on the surface
+\param pmesh the mesh. Faces may be any polygons; there may be borders and several components.
+\param number_of_tips the number of tips, from 0 to the number of faces
+\param tips the output for the faces at the tips, in the order of selection in each component; fewer than asked for if
+       all remaining faces are at distance 0 from a tip
 \param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed` and `visitor` as for
-          `segmentation_via_protrusion_tips()`
+          `segmentation_via_protrusion_tips()`. With `edge_is_constrained_map`, the call does not compile.
 
 \return `tips`, advanced
 
-\throw std::invalid_argument if there are more tips than faces, if their number is negative, or if a coordinate is
-       not finite
+\throw std::invalid_argument if `number_of_tips` is out of its range, or if a coordinate of a vertex with a face is not
+       finite; no tips are written then
+\throw Protrusion_segmentation::Segmentation_stopped if the visitor stops the function; no tips are written then
 
-Complexity: one distance computation for each tip, and those that the distance needs for eq. (1).
+Complexity: one distance computation for each tip, and those that the distance needs for eq.&nbsp;(1).
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename Number,
+          typename OutputIterator,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+OutputIterator protrusion_tips(const FaceGraph& pmesh,
+                               Number number_of_tips,
+                               OutputIterator tips,
+                               const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return Protrusion_segmentation::internal::select_mesh_tips<ConcurrencyTag>(
+    pmesh, number_of_tips, tips, Protrusion_segmentation::Geodesic_distance(), np);
+}
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+selects protrusion tips by a distance of choice.
+
+\tparam ConcurrencyTag, FaceGraph, Number, OutputIterator, NamedParameters as for the function without a distance
+\tparam Distance a model of `ProtrusionDistance`
+
+\param distance the distance on the surface
+\param pmesh, number_of_tips, tips, np as for the function without a distance
+
+\return `tips`, advanced
+
+\throw std::invalid_argument as the function without a distance, and if a distance of a user gives a number that is negative
+       or no number
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename FaceGraph,
@@ -259,20 +308,21 @@ template <typename ConcurrencyTag = Sequential_tag,
           std::enable_if_t<Protrusion_segmentation::internal::Is_distance<Distance>::value, int> = 0
 #endif
           >
-OutputIterator protrusion_tips(const FaceGraph& tmesh,
+OutputIterator protrusion_tips(const FaceGraph& pmesh,
                                Number number_of_tips,
                                OutputIterator tips,
                                const Distance& distance,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  namespace internal = Protrusion_segmentation::internal;
-
-  return internal::select_mesh_tips<ConcurrencyTag>(
-    tmesh, internal::checked_count("number_of_tips", number_of_tips), tips, distance, np);
+  return Protrusion_segmentation::internal::select_mesh_tips<ConcurrencyTag>(pmesh, number_of_tips, tips, distance, np);
 }
 
 #ifndef DOXYGEN_RUNNING
-template <typename ConcurrencyTag = Sequential_tag, typename FaceGraph, typename Number, typename OutputIterator, typename... Others>
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename Number,
+          typename OutputIterator,
+          typename... Others>
 OutputIterator protrusion_tips(const FaceGraph&, Number, OutputIterator tips, const Others&...)
 {
   static_assert(sizeof...(Others) > 100,
@@ -284,46 +334,55 @@ OutputIterator protrusion_tips(const FaceGraph&, Number, OutputIterator tips, co
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-selects protrusion tips by `Protrusion_segmentation::Geodesic_distance`.
+cuts off the protrusions of given tips, steps 3 and 4 of Section III.A of the paper, by
+`Protrusion_segmentation::Minimum_cut_method`. The tips may be those of `protrusion_tips()`, edited or picked by a user.
 
-\param tmesh, number_of_tips, tips, np as for the function with a distance
-\return as for the function with a distance
+One tip cuts off its protrusion. A tip that is given twice counts once, and so do two tips whose faces share a vertex.
+A tip for which no border is found, or that already lies in the protrusion of another one, makes no segment. A tip on a small
+component counts as one on the face whose segment that component gets.
+
+\tparam ConcurrencyTag, FaceGraph, SegmentMap, NamedParameters as for `segmentation_via_protrusion_tips()`
+\tparam FaceRange a range of `boost::graph_traits<FaceGraph>::%face_descriptor`
+
+\param tips the faces at the tips, in any order
+\param pmesh, segment_ids, np as for `segmentation_via_protrusion_tips()`
+
+\return the number of segments, at most one for each tip and each component; 0 if and only if the mesh has no faces
+
+\throw std::invalid_argument as `segmentation_via_protrusion_tips()`, and if a face of `tips` is not in `pmesh`
+\throw Protrusion_segmentation::Segmentation_stopped if the visitor stops the function
+
+Complexity: that of the method, plus a time that is linear in the number of tips.
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename FaceGraph,
-          typename Number,
-          typename OutputIterator,
+          typename FaceRange,
+          typename SegmentMap,
           typename CGAL_NP_TEMPLATE_PARAMETERS>
-OutputIterator protrusion_tips(const FaceGraph& tmesh,
-                               Number number_of_tips,
-                               OutputIterator tips,
-                               const CGAL_NP_CLASS& np = parameters::default_values())
+std::size_t segmentation_from_protrusion_tips(const FaceGraph& pmesh,
+                                              const FaceRange& tips,
+                                              SegmentMap segment_ids,
+                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return protrusion_tips<ConcurrencyTag>(tmesh, number_of_tips, tips, Protrusion_segmentation::Geodesic_distance(),
-                                         np);
+  return Protrusion_segmentation::internal::segment_mesh_from_tips<ConcurrencyTag>(
+    pmesh, tips, segment_ids, Protrusion_segmentation::Minimum_cut_method(), np);
 }
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-cuts off the protrusions of given tips, steps 3 and 4 of Section III.A: for tips of `protrusion_tips()`,
-edited or picked by a user.
+cuts off the protrusions of given tips by a method of choice.
 
-One tip cuts off its protrusion. A tip that is given twice counts once, and so do two tips whose faces share a vertex.
-A tip for which no border is found, or that already lies in the protrusion of another one, makes no segment. A tip on a speck
-counts as one on the face whose segment the speck gets.
+\tparam ConcurrencyTag, FaceGraph, FaceRange, SegmentMap, NamedParameters as for the function without a method
+\tparam Method as for `segmentation_via_protrusion_tips()`
 
-\tparam ConcurrencyTag, FaceGraph, SegmentMap, Method as for `segmentation_via_protrusion_tips()`
-\tparam FaceRange a range of `boost::graph_traits<FaceGraph>::%face_descriptor`
+\param method the method with its options and its distance
+\param pmesh, tips, segment_ids, np as for the function without a method
 
-\param tips the faces at the tips
-\param tmesh, segment_ids, method, np as for `segmentation_via_protrusion_tips()`
+\return the number of segments, as for the function without a method
 
-\return as for `segmentation_via_protrusion_tips()`; at most one segment for each tip and each component
-
-\throw std::invalid_argument if a face of `tips` is not in `tmesh`, or if a coordinate is not finite
-
-Complexity: that of the method, and with hundreds of tips, above that, linear in their number.
+\throw std::invalid_argument as the function without a method, and if a distance of a user gives a number that is negative
+       or no number
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename FaceGraph,
@@ -336,40 +395,22 @@ template <typename ConcurrencyTag = Sequential_tag,
           Protrusion_segmentation::internal::If_method<Method> = 0
 #endif
           >
-std::size_t segmentation_from_protrusion_tips(const FaceGraph& tmesh,
+std::size_t segmentation_from_protrusion_tips(const FaceGraph& pmesh,
                                               const FaceRange& tips,
                                               SegmentMap segment_ids,
                                               const Method& method,
                                               const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::segment_mesh_from_tips<ConcurrencyTag>(tmesh, tips, segment_ids, method,
+  return Protrusion_segmentation::internal::segment_mesh_from_tips<ConcurrencyTag>(pmesh, tips, segment_ids, method,
                                                                                    np);
 }
 
-/*!
-\ingroup PkgProtrusionSegmentationRef
-
-cuts off the protrusions of given tips by the default method, `Protrusion_segmentation::Minimum_cut_method`.
-
-\param tmesh, tips, segment_ids, np as for the function with a method
-\return as for the function with a method
-*/
+#ifndef DOXYGEN_RUNNING
 template <typename ConcurrencyTag = Sequential_tag,
           typename FaceGraph,
           typename FaceRange,
           typename SegmentMap,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
-std::size_t segmentation_from_protrusion_tips(const FaceGraph& tmesh,
-                                              const FaceRange& tips,
-                                              SegmentMap segment_ids,
-                                              const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return segmentation_from_protrusion_tips<ConcurrencyTag>(tmesh, tips, segment_ids,
-                                                           Protrusion_segmentation::Minimum_cut_method(), np);
-}
-
-#ifndef DOXYGEN_RUNNING
-template <typename ConcurrencyTag = Sequential_tag, typename FaceGraph, typename FaceRange, typename SegmentMap, typename... Others>
+          typename... Others>
 std::size_t segmentation_from_protrusion_tips(const FaceGraph&, const FaceRange&, SegmentMap, const Others&...)
 {
   static_assert(sizeof...(Others) > 100,
@@ -382,25 +423,57 @@ std::size_t segmentation_from_protrusion_tips(const FaceGraph&, const FaceRange&
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-computes the hierarchy of nested protrusions by a method of choice: one call that serves every number of segments.
+computes the hierarchy of nested protrusions by `Protrusion_segmentation::Minimum_cut_method`: one call gives the
+segmentations with every number of segments.
 
-For its maximum number of segments, the hierarchy has the segmentation of `segmentation_via_protrusion_tips()`. Those for
-smaller numbers are made from it by joining protrusions to what they stick out of, so that all are nested.
-`segmentation_via_protrusion_tips()` for a smaller number may find borders that are better together.
+The segmentation with the largest number of segments is that of `segmentation_via_protrusion_tips()`. Those with fewer
+segments join protrusions to their parents, so that all are nested. `segmentation_via_protrusion_tips()` may find a better
+segmentation for a smaller number.
 
-\tparam ConcurrencyTag, FaceGraph, Number, Method as for `segmentation_via_protrusion_tips()`
+\tparam ConcurrencyTag, FaceGraph, Number, NamedParameters as for `segmentation_via_protrusion_tips()`
 
-\param tmesh the mesh
+\param pmesh the mesh. Faces may be any polygons; there may be borders and several components.
 \param maximum_number_of_segments the number of segments of the finest segmentation, from 1 to the number of faces; it
        has fewer if no more borders are found
+\param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed` and `visitor` as for
+       `segmentation_via_protrusion_tips()`. With `edge_is_constrained_map`, the call does not compile.
+
+\return the hierarchy
+
+\throw std::invalid_argument if `maximum_number_of_segments` is out of its range, or if a coordinate of a vertex with a
+       face is not finite
+\throw Protrusion_segmentation::Segmentation_stopped if the visitor stops the function
+
+Complexity: that of `segmentation_via_protrusion_tips()` with `maximum_number_of_segments`.
+*/
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename Number,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
+  const FaceGraph& pmesh,
+  Number maximum_number_of_segments,
+  const CGAL_NP_CLASS& np = parameters::default_values())
+{
+  return Protrusion_segmentation::internal::mesh_hierarchy<ConcurrencyTag>(
+    pmesh, maximum_number_of_segments, Protrusion_segmentation::Minimum_cut_method(), np);
+}
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+computes the hierarchy of nested protrusions by a method of choice.
+
+\tparam ConcurrencyTag, FaceGraph, Number, NamedParameters as for the function without a method
+\tparam Method as for `segmentation_via_protrusion_tips()`
+
 \param method the method with its options and its distance
-\param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed` and `visitor` as
-       for `segmentation_via_protrusion_tips()`
+\param pmesh, maximum_number_of_segments, np as for the function without a method
 
-\return the hierarchy; an empty one if the visitor stopped the function
+\return the hierarchy
 
-\throw std::invalid_argument if `maximum_number_of_segments` is below 1 or larger than the number of faces, or if a
-       coordinate is not finite
+\throw std::invalid_argument as the function without a method, and if a distance of a user gives a number that is negative
+       or no number
 */
 template <typename ConcurrencyTag = Sequential_tag,
           typename FaceGraph,
@@ -413,36 +486,12 @@ template <typename ConcurrencyTag = Sequential_tag,
 #endif
           >
 Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
-  const FaceGraph& tmesh,
+  const FaceGraph& pmesh,
   Number maximum_number_of_segments,
   const Method& method,
   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  namespace internal = Protrusion_segmentation::internal;
-
-  return internal::mesh_hierarchy<ConcurrencyTag>(
-    tmesh, internal::checked_count("maximum_number_of_segments", maximum_number_of_segments), method, np);
-}
-
-/*!
-\ingroup PkgProtrusionSegmentationRef
-
-computes the hierarchy of nested protrusions by the default method, `Protrusion_segmentation::Minimum_cut_method`.
-
-\param tmesh, maximum_number_of_segments, np as for the function with a method
-\return as for the function with a method
-*/
-template <typename ConcurrencyTag = Sequential_tag,
-          typename FaceGraph,
-          typename Number,
-          typename CGAL_NP_TEMPLATE_PARAMETERS>
-Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
-  const FaceGraph& tmesh,
-  Number maximum_number_of_segments,
-  const CGAL_NP_CLASS& np = parameters::default_values())
-{
-  return protrusion_hierarchy<ConcurrencyTag>(tmesh, maximum_number_of_segments,
-                                              Protrusion_segmentation::Minimum_cut_method(), np);
+  return Protrusion_segmentation::internal::mesh_hierarchy<ConcurrencyTag>(pmesh, maximum_number_of_segments, method, np);
 }
 
 #ifndef DOXYGEN_RUNNING
@@ -450,8 +499,8 @@ template <typename ConcurrencyTag = Sequential_tag, typename FaceGraph, typename
 Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(const FaceGraph&, Number, const Others&...)
 {
   static_assert(sizeof...(Others) > 100,
-                "what follows maximum_number_of_segments must be a method and then named parameters; a distance belongs to a "
-                "method, as in Histogram_method(Landmark_geodesic_distance(0.1))");
+                "what follows maximum_number_of_segments must be a method and then named parameters; a distance belongs to "
+                "a method, as in Histogram_method(Landmark_geodesic_distance(0.1))");
   return {};
 }
 #endif

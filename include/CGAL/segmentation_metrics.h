@@ -20,6 +20,7 @@
 #include <optional>
 
 namespace CGAL {
+namespace Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationMetrics
@@ -30,8 +31,8 @@ in one of them, and in two segments in the other. This is one minus the Rand ind
 Faces are counted, not weighted. The two segmentations may be exchanged.
 
 The program of the Princeton Segmentation Benchmark does not divide by the number of pairs of <i>n</i> faces,
-<i>n</i> (<i>n</i> - 1) / 2, but by <i>n</i> &lfloor;(<i>n</i> - 1) / 2&rfloor;. To stand beside figures that
-were published with it, multiply the result by (<i>n</i> - 1) / (<i>n</i> - 2) if <i>n</i> is even and above 2,
+<i>n</i> (<i>n</i> - 1) / 2, but by <i>n</i> &lfloor;(<i>n</i> - 1) / 2&rfloor;. To compare the result with figures that
+were published with it, multiply it by (<i>n</i> - 1) / (<i>n</i> - 2) if <i>n</i> is even and above 2,
 and cut it to 1; the tool `evaluate_segmentation` does.
 
 \tparam FaceGraph a model of `FaceListGraph`
@@ -40,7 +41,7 @@ and cut it to 1; the tool `evaluate_segmentation` does.
                      value type
 \tparam ReferenceIdMap the same; the value type may be another one
 
-\param mesh the mesh
+\param pmesh the mesh
 \param segment_ids the segmentation
 \param reference_ids the segmentation that it is compared to
 
@@ -50,14 +51,12 @@ and cut it to 1; the tool `evaluate_segmentation` does.
 Complexity: linear in the number of faces, in expectation.
 */
 template <typename FaceGraph, typename SegmentIdMap, typename ReferenceIdMap>
-double segmentation_rand_index_error(const FaceGraph& mesh,
+double segmentation_rand_index_error(const FaceGraph& pmesh,
                                      const SegmentIdMap& segment_ids,
                                      const ReferenceIdMap& reference_ids)
 {
-  namespace internal = Protrusion_segmentation::internal;
-
   if constexpr (internal::are_comparable<FaceGraph, SegmentIdMap, ReferenceIdMap>)
-    return internal::rand_index_error(internal::segment_overlap(mesh, segment_ids, reference_ids));
+    return internal::rand_index_error(internal::segment_overlap(pmesh, segment_ids, reference_ids));
   else
     return 0;
 }
@@ -80,42 +79,40 @@ rates and keeps the distance.
 \tparam ReferenceIdMap the same; the value type may be another one
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param mesh the mesh
+\param pmesh the mesh
 \param segment_ids the segmentation
 \param reference_ids the segmentation that it is compared to
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{a property map associating points to the vertices of `mesh`}
+    \cgalParamDescription{a property map associating points to the vertices of `pmesh`}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<FaceGraph>::%vertex_descriptor` as key type and `%Point_3` as value
                    type}
-    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, pmesh)`}
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return distance, missing rate and false-alarm rate, each in [0, 1)
-\throw std::invalid_argument if a coordinate is not finite
+\throw std::invalid_argument if a coordinate of a vertex with a face is not finite
 
 Complexity: linear in the number of faces, in expectation.
 */
 template <typename FaceGraph,
           typename SegmentIdMap,
           typename ReferenceIdMap,
-          typename NamedParameters = parameters::Default_named_parameters>
-Protrusion_segmentation::Hamming_distance
-segmentation_hamming_distance(const FaceGraph& mesh,
-                              const SegmentIdMap& segment_ids,
-                              const ReferenceIdMap& reference_ids,
-                              const NamedParameters& np = parameters::default_values())
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Hamming_distance segmentation_hamming_distance(const FaceGraph& pmesh,
+                                               const SegmentIdMap& segment_ids,
+                                               const ReferenceIdMap& reference_ids,
+                                               const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  namespace internal = Protrusion_segmentation::internal;
-
   if constexpr (internal::are_comparable<FaceGraph, SegmentIdMap, ReferenceIdMap>)
   {
-    const auto areas = internal::face_areas(mesh, internal::vertex_point_map(mesh, np));
-    return internal::hamming_distance(internal::segment_overlap(mesh, segment_ids, reference_ids, areas));
+    const auto areas = internal::face_areas(pmesh, internal::vertex_point_map(pmesh, np));
+    return internal::hamming_distance(
+      internal::segment_overlap(pmesh, segment_ids, reference_ids, areas));
   }
   else
     return {};
@@ -139,29 +136,27 @@ once, as the benchmark's program does.
 \tparam ReferenceIdMap the same; the value type may be another one
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param mesh, segment_ids, reference_ids, np as for `segmentation_hamming_distance()`
+\param pmesh, segment_ids, reference_ids, np as for `segmentation_hamming_distance()`
 
 \return the four errors, each in [0, 1)
-\throw std::invalid_argument if a coordinate is not finite
+\throw std::invalid_argument if a coordinate of a vertex with a face is not finite
 
 Complexity: linear in the number of faces, in expectation.
 */
 template <typename FaceGraph,
           typename SegmentIdMap,
           typename ReferenceIdMap,
-          typename NamedParameters = parameters::Default_named_parameters>
-Protrusion_segmentation::Consistency_error
-segmentation_consistency_error(const FaceGraph& mesh,
-                               const SegmentIdMap& segment_ids,
-                               const ReferenceIdMap& reference_ids,
-                               const NamedParameters& np = parameters::default_values())
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Consistency_error segmentation_consistency_error(const FaceGraph& pmesh,
+                                                 const SegmentIdMap& segment_ids,
+                                                 const ReferenceIdMap& reference_ids,
+                                                 const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  namespace internal = Protrusion_segmentation::internal;
-
   if constexpr (internal::are_comparable<FaceGraph, SegmentIdMap, ReferenceIdMap>)
   {
-    const auto areas = internal::face_areas(mesh, internal::vertex_point_map(mesh, np));
-    return internal::consistency_error(internal::segment_overlap(mesh, segment_ids, reference_ids, areas));
+    const auto areas = internal::face_areas(pmesh, internal::vertex_point_map(pmesh, np));
+    return internal::consistency_error(
+      internal::segment_overlap(pmesh, segment_ids, reference_ids, areas));
   }
   else
     return {};
@@ -191,22 +186,22 @@ The result has no value where it is undefined:
 \tparam ReferenceIdMap the same; the value type may be another one
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param mesh the mesh
+\param pmesh the mesh
 \param segment_ids the segmentation
 \param reference_ids the segmentation that it is compared to
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
 \cgalNamedParamsBegin
   \cgalParamNBegin{vertex_point_map}
-    \cgalParamDescription{a property map associating points to the vertices of `mesh`}
+    \cgalParamDescription{a property map associating points to the vertices of `pmesh`}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<FaceGraph>::%vertex_descriptor` as key type and `%Point_3` as value
                    type}
-    \cgalParamDefault{`boost::get(CGAL::vertex_point, mesh)`}
+    \cgalParamDefault{`boost::get(CGAL::vertex_point, pmesh)`}
   \cgalParamNEnd
   \cgalParamNBegin{vertex_index_map}
-    \cgalParamDescription{a property map associating to each vertex of `mesh` a unique index between `0` and
-                          `num_vertices(mesh) - 1`}
+    \cgalParamDescription{a property map associating to each vertex of `pmesh` a unique index between `0` and
+                          `num_vertices(pmesh) - 1`}
     \cgalParamType{a class model of `ReadablePropertyMap` with
                    `boost::graph_traits<FaceGraph>::%vertex_descriptor` as key type and `std::size_t` as value
                    type}
@@ -222,17 +217,16 @@ Complexity: O(<i>n</i> log <i>n</i>) for <i>n</i> vertices (two runs of Dijkstra
 template <typename FaceGraph,
           typename SegmentIdMap,
           typename ReferenceIdMap,
-          typename NamedParameters = parameters::Default_named_parameters>
-std::optional<double> segmentation_cut_discrepancy(const FaceGraph& mesh,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+std::optional<double> segmentation_cut_discrepancy(const FaceGraph& pmesh,
                                                    const SegmentIdMap& segment_ids,
                                                    const ReferenceIdMap& reference_ids,
-                                                   const NamedParameters& np = parameters::default_values())
+                                                   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  namespace internal = Protrusion_segmentation::internal;
-
   if constexpr (internal::are_comparable<FaceGraph, SegmentIdMap, ReferenceIdMap>)
-    return internal::cut_discrepancy(mesh, segment_ids, reference_ids, internal::vertex_point_map(mesh, np),
-                                     CGAL::get_initialized_vertex_index_map(mesh, np));
+    return internal::cut_discrepancy(pmesh, segment_ids, reference_ids,
+                                     internal::vertex_point_map(pmesh, np),
+                                     CGAL::get_initialized_vertex_index_map(pmesh, np));
   else
     return {};
 }
@@ -243,39 +237,38 @@ std::optional<double> segmentation_cut_discrepancy(const FaceGraph& mesh,
 returns all metrics at once: `segmentation_rand_index_error()`, `segmentation_hamming_distance()`,
 `segmentation_cut_discrepancy()` and `segmentation_consistency_error()`, for less than the sum of their times.
 
-\param mesh, segment_ids, reference_ids, np as for `segmentation_cut_discrepancy()`
+\param pmesh, segment_ids, reference_ids, np as for `segmentation_cut_discrepancy()`
 
 \return the metrics
-\throw std::invalid_argument if a coordinate is not finite
+\throw std::invalid_argument if a coordinate of a vertex with a face is not finite
 
 Complexity: that of `segmentation_cut_discrepancy()`.
 */
 template <typename FaceGraph,
           typename SegmentIdMap,
           typename ReferenceIdMap,
-          typename NamedParameters = parameters::Default_named_parameters>
-Protrusion_segmentation::Segmentation_metrics
-segmentation_metrics(const FaceGraph& mesh,
-                     const SegmentIdMap& segment_ids,
-                     const ReferenceIdMap& reference_ids,
-                     const NamedParameters& np = parameters::default_values())
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+Segmentation_metrics segmentation_metrics(const FaceGraph& pmesh,
+                                          const SegmentIdMap& segment_ids,
+                                          const ReferenceIdMap& reference_ids,
+                                          const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  namespace internal = Protrusion_segmentation::internal;
-
-  Protrusion_segmentation::Segmentation_metrics result;
+  Segmentation_metrics result;
   if constexpr (internal::are_comparable<FaceGraph, SegmentIdMap, ReferenceIdMap>)
   {
-    const auto areas = internal::face_areas(mesh, internal::vertex_point_map(mesh, np));
-    const internal::Segment_overlap overlap =
-      internal::segment_overlap(mesh, segment_ids, reference_ids, areas);
+    const auto areas = internal::face_areas(pmesh, internal::vertex_point_map(pmesh, np));
+    const internal::Segment_overlap overlap = internal::segment_overlap(pmesh, segment_ids, reference_ids,
+                                                                        areas);
     result.rand_index_error = internal::rand_index_error(overlap);
     result.hamming_distance = internal::hamming_distance(overlap);
-    result.cut_discrepancy = CGAL::segmentation_cut_discrepancy(mesh, segment_ids, reference_ids, np);
+    result.cut_discrepancy = Protrusion_segmentation::segmentation_cut_discrepancy(pmesh, segment_ids,
+                                                                                   reference_ids, np);
     result.consistency_error = internal::consistency_error(overlap);
   }
   return result;
 }
 
+} // namespace Protrusion_segmentation
 } // namespace CGAL
 
 #endif // CGAL_SEGMENTATION_METRICS_H

@@ -10,6 +10,7 @@
 #include "validation.h"
 
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/protrusion_segmentation.h>
 
 #include <filesystem>

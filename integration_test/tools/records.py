@@ -75,10 +75,11 @@ def segments_within(record, segment):
 
 def problems_with_confidence(record):
     for measure in record["measures"]:
-        values = [protrusion["value"] for protrusion in record["protrusions"]
+        values = [protrusion["value"] if record["method"] == "paper" else protrusion["probability"]
+                  for protrusion in record["protrusions"]
                   if measure["segment"] in (protrusion["segment"], protrusion["parent"])]
         if measure["confidence"] != min(values, default=None):
-            yield (f"the confidence of segment {measure['segment']} is not the least value of "
+            yield (f"the confidence of segment {measure['segment']} is not the least of "
                    "its borders")
     for protrusion in record["protrusions"]:
         if (protrusion["probability"] is None) != (record["method"] == "paper"):

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// expected: segment_ids is no writable property map from the faces of the mesh to std::size_t
+// expected: segment_ids is no writable property map from the faces of the mesh to an integer type
 
 #include "mesh.h"
 

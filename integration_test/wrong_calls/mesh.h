@@ -5,6 +5,7 @@
 #ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_WRONG_CALLS_MESH_H
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_WRONG_CALLS_MESH_H
 
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/protrusion_segmentation.h>

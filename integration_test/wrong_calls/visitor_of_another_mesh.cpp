@@ -2,11 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// expected: the visitor does not derive from Protrusion_segmentation::Segmentation_visitor
+// expected: the visitor is no model of ProtrusionSegmentationVisitor
 
 #include "mesh.h"
 
-using Other_mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<float>::Point_3>;
+#include <CGAL/Polyhedron_3.h>
+
+using Other_mesh = CGAL::Polyhedron_3<CGAL::Simple_cartesian<double>>;
 
 std::size_t segment(const Mesh& mesh, Segment_map ids)
 {

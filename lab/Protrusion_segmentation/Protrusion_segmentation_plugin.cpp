@@ -9,6 +9,7 @@
 #include "Scene_surface_mesh_item.h"
 #include "ui_Protrusion_segmentation_widget.h"
 
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Three/Polyhedron_demo_plugin_helper.h>
 #include <CGAL/Three/Polyhedron_demo_plugin_interface.h>
 #include <CGAL/Three/Scene_group_item.h>
@@ -51,8 +52,8 @@ public:
     m_dialog.setMinimumDuration(500);
     m_dialog.setAutoReset(false);
   }
-  void on_progress(double share) override { m_dialog.setValue(static_cast<int>(share * (steps - 1))); }
-  bool go_further() override { return !m_dialog.wasCanceled(); }
+  void on_progress(double share) { m_dialog.setValue(static_cast<int>(share * (steps - 1))); }
+  bool go_further() { return !m_dialog.wasCanceled(); }
 
 private:
   static constexpr int steps = 1000;
@@ -132,13 +133,12 @@ public Q_SLOTS:
           with_method([&](const auto& method)
                       { return CGAL::segmentation_via_protrusion_tips(mesh, segments, method, np); });
         const std::size_t largest = (std::min<std::size_t>)(num_faces(mesh), m_widget.maximum_box->value());
-        if (evident == 0 || largest == 0) // stopped, or there is nothing to segment
+        if (largest == 0) // nothing to segment
           return;
         Protrusions::Segment_hierarchy hierarchy =
           with_method([&](const auto& method)
                       { return CGAL::protrusion_hierarchy(mesh, (std::max)(largest, evident), method, np); });
-        if (hierarchy.maximum_number_of_segments() > 0)
-          take_hierarchy(std::move(hierarchy), evident);
+        take_hierarchy(std::move(hierarchy), evident);
       });
   }
 
@@ -198,8 +198,6 @@ public Q_SLOTS:
             return CGAL::segmentation_from_protrusion_tips(mesh, m_tips, segments, method,
                                                            CGAL::parameters::visitor(std::ref(visitor)));
           });
-        if (number == 0) // stopped
-          return;
         drop_hierarchy();
         color(mesh, number);
       });

@@ -12,14 +12,14 @@ Every face has a label, in the order of the faces given. Faces that do not make 
 command line tool does: vertices at one place count as one, faces are turned over, and at edges of more than two faces
 the surface is taken apart; degenerate and duplicate faces have the label of a neighbour or of their double.
 
-Arguments that make no sense raise ValueError, with the words of the C++ package, in which `tmesh` is the mesh. While a
-function computes, other threads run, and Ctrl-C stops it with KeyboardInterrupt.
+Arguments that make no sense raise ValueError, which names the argument and what it may be. While a function computes,
+other threads run, and Ctrl-C stops it with KeyboardInterrupt.
 """
 
 import itertools
 import operator
 from dataclasses import dataclass
-from typing import Any, List, Literal, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, List, Literal, NamedTuple, Optional, Sequence, Tuple, Union, get_args
 
 import numpy as np
 import numpy.typing as npt
@@ -172,7 +172,7 @@ def tips(
         The faces at the tips, in the order of selection in each connected component.
     """
     count = _integer("number_of_tips", number_of_tips)
-    return _core.tips(*_arrays(vertices, faces), count, _name("distance", distance), _seed(random_seed))
+    return _core.tips(*_arrays(vertices, faces), count, _choice("distance", distance, get_args(Distance)), _seed(random_seed))
 
 
 class Metrics(NamedTuple):
@@ -246,28 +246,30 @@ def _integers(name: str, values: npt.ArrayLike) -> Labels:
 def _integer(name: str, value: int) -> int:
     """The number, if it is an integer of a size that C++ knows."""
     if isinstance(value, (bool, np.bool_)):
-        raise ValueError(f"{name} is {value}")
+        raise ValueError(f"{name} is no integer, but {value}")
     try:
         number = operator.index(value)
     except TypeError:
         raise ValueError(f"{name} is no integer, but {value!r}") from None
     if abs(number) > np.iinfo(np.int64).max:
-        raise ValueError(f"{name} is {number}")
+        raise ValueError(f"{name} is {number}, which does not fit into 64 bits")
     return number
 
 
-def _name(name: str, value: Optional[str]) -> str:
-    if not isinstance(value, str):
-        raise ValueError(f"{name} is {value!r}")
+def _choice(name: str, value: Optional[str], choices: Tuple[str, ...]) -> str:
+    if not isinstance(value, str) or value not in choices:
+        raise ValueError(f"{name} is {value!r}, but it must be {', '.join(choices[:-1])} or {choices[-1]}")
     return value
 
 
 def _choices(method: str, distance: Optional[str]) -> Tuple[str, Optional[str]]:
-    return _name("method", method), None if distance is None else _name("distance", distance)
+    chosen = None if distance is None else _choice("distance", distance, get_args(Distance))
+    return _choice("method", method, get_args(Method)), chosen
 
 
 def _seed(random_seed: int) -> int:
     seed = _integer("random_seed", random_seed)
-    if not 0 <= seed <= np.iinfo(np.uint32).max:
-        raise ValueError(f"random_seed is {seed}")
+    largest = np.iinfo(np.uint32).max
+    if not 0 <= seed <= largest:
+        raise ValueError(f"random_seed is {seed}, but it must be from 0 to {largest}")
     return seed

@@ -18,6 +18,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <exception>
 #include <functional>
 #include <iterator>
 #include <optional>
@@ -110,7 +111,7 @@ std::vector<tool::Face> faces_at(const std::vector<std::int64_t>& tips, const to
   for (const std::int64_t tip : tips)
   {
     if (tip < 0 || static_cast<std::size_t>(tip) >= input.label_giver.size())
-      throw std::invalid_argument("tips: a face is not in tmesh");
+      throw std::invalid_argument("tips: a face is not in the mesh");
     faces.emplace_back(static_cast<tool::Mesh::size_type>(input.label_giver[static_cast<std::size_t>(tip)]));
   }
   return faces;
@@ -193,7 +194,7 @@ std::vector<std::int64_t> labels_of_mesh(const std::vector<std::int64_t>& labels
                                          const std::string& name)
 {
   if (labels.size() != input.label_giver.size())
-    throw std::invalid_argument(name + ": there are " + std::to_string(labels.size()) + ", but tmesh has " +
+    throw std::invalid_argument(name + ": there are " + std::to_string(labels.size()) + ", but the mesh has " +
                                 std::to_string(input.label_giver.size()) + " faces");
   std::vector<std::int64_t> result;
   for (const std::size_t face : input.face_in_file)
@@ -216,8 +217,9 @@ py::tuple evaluate(const Coordinates& vertices,
       const std::vector<std::int64_t> ids = labels_of_mesh(labels_of_all, input, "labels");
       const std::vector<std::int64_t> reference_ids = labels_of_mesh(reference_of_all, input, "reference");
       const auto face_index = get(boost::face_index, input.mesh);
-      return CGAL::segmentation_metrics(input.mesh, boost::make_iterator_property_map(ids.begin(), face_index),
-                                        boost::make_iterator_property_map(reference_ids.begin(), face_index));
+      return CGAL::Protrusion_segmentation::segmentation_metrics(
+        input.mesh, boost::make_iterator_property_map(ids.begin(), face_index),
+        boost::make_iterator_property_map(reference_ids.begin(), face_index));
     });
   const auto& hamming = metrics.hamming_distance;
   const auto& consistency = metrics.consistency_error;
@@ -226,12 +228,31 @@ py::tuple evaluate(const Coordinates& vertices,
                         consistency.local_by_area);
 }
 
+// A `ValueError` with the names of the arguments in Python: what is `pmesh` in C++ is given as vertices and faces.
+void translate_invalid_argument(std::exception_ptr exception)
+{
+  try
+  {
+    if (exception)
+      std::rethrow_exception(exception);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    std::string message = error.what();
+    const std::string name = "pmesh";
+    if (const std::size_t place = message.find(name); place != std::string::npos)
+      message.replace(place, name.size(), "the mesh");
+    PyErr_SetString(PyExc_ValueError, message.c_str());
+  }
+}
+
 } // namespace
 } // namespace python
 
 PYBIND11_MODULE(_core, module)
 {
   module.attr("version") = PROTRUSION_SEGMENTATION_VERSION;
+  python::py::register_local_exception_translator(&python::translate_invalid_argument);
   module.def("segment", &python::segment);
   module.def("segment_from_tips", &python::segment_from_tips);
   module.def("hierarchy", &python::hierarchy);

@@ -23,13 +23,7 @@ std::vector<tool::Point> read_points(const std::vector<double>& xyz)
   std::vector<tool::Point> points;
   points.reserve(xyz.size() / 3);
   for (std::size_t i = 0; i + 2 < xyz.size(); i += 3)
-  {
-    // in the words of the package's functions
-    if (!std::isfinite(xyz[i]) || !std::isfinite(xyz[i + 1]) || !std::isfinite(xyz[i + 2]))
-      throw std::invalid_argument("tmesh: vertex " + std::to_string(i / 3) +
-                                  " has a coordinate that is not finite");
     points.emplace_back(xyz[i], xyz[i + 1], xyz[i + 2]);
-  }
   return points;
 }
 
@@ -70,6 +64,23 @@ std::vector<tool::Polygon> read_polygons(const Arrays& arrays, std::size_t numbe
   return polygons;
 }
 
+bool is_finite(const tool::Point& p)
+{
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+// Points that are no corners do not matter, and move to the origin if they are not finite.
+void check_points(tool::Polygon_soup& soup)
+{
+  for (const tool::Polygon& polygon : soup.polygons)
+    for (const std::size_t i : polygon)
+      if (!is_finite(soup.points[i]))
+        throw std::invalid_argument("vertices: vertex " + std::to_string(i) + " has a coordinate that is not finite");
+  for (tool::Point& p : soup.points)
+    if (!is_finite(p))
+      p = CGAL::ORIGIN;
+}
+
 } // namespace
 
 tool::Input_mesh mesh_of_arrays(const Arrays& arrays)
@@ -77,13 +88,14 @@ tool::Input_mesh mesh_of_arrays(const Arrays& arrays)
   tool::Polygon_soup soup;
   soup.points = read_points(arrays.coordinates);
   soup.polygons = read_polygons(arrays, soup.points.size());
+  check_points(soup);
   try
   {
     return tool::make_input_mesh(std::move(soup));
   }
   catch (const tool::Format_error& error)
   {
-    throw std::invalid_argument(std::string("tmesh ") + error.what());
+    throw std::invalid_argument(std::string("faces: the mesh ") + error.what());
   }
 }
 

@@ -31,7 +31,7 @@ class Stoppable : public CGAL::Protrusion_segmentation::Segmentation_visitor<too
 {
 public:
   explicit Stoppable(const std::atomic<bool>& is_stopped) : m_is_stopped(is_stopped) {}
-  bool go_further() override { return !m_is_stopped; }
+  bool go_further() { return !m_is_stopped; }
 
 private:
   const std::atomic<bool>& m_is_stopped;

@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whatever does not make sense raises ValueError, in the words of the C++ package where it has some."""
+"""Whatever does not make sense raises ValueError, which names the argument."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ def with_value(array, place, value):
     return result
 
 
-FINITE = "^tmesh: vertex 2 has a coordinate that is not finite$"
+FINITE = "^vertices: vertex 2 has a coordinate that is not finite$"
 VERTICES = [
     (with_value(POINTS, (2, 1), np.nan), FINITE),
     (with_value(POINTS, (2, 0), np.inf), FINITE),
@@ -53,10 +53,10 @@ FACES = [
     (None, "^faces: neither an array"),
     ([], "^faces: there are none$"),
     (np.empty((0, 3), int), "^faces: there are none$"),
-    ([[]], "^tmesh has degenerate faces only"),
-    ([[0], [1, 2]], "^tmesh has degenerate faces only"),
-    ([[0, 0, 1]], "^tmesh has degenerate faces only"),
-    (np.empty((5, 0), int), "^tmesh has degenerate faces only"),
+    ([[]], "^faces: the mesh has degenerate faces only"),
+    ([[0], [1, 2]], "^faces: the mesh has degenerate faces only"),
+    ([[0, 0, 1]], "^faces: the mesh has degenerate faces only"),
+    (np.empty((5, 0), int), "^faces: the mesh has degenerate faces only"),
 ]
 
 
@@ -80,30 +80,30 @@ def test_wrong_mesh(call):
 
 
 CALLS = [
-    (lambda: ps.segment(POINTS, TRIANGLES, 0), "^number_of_segments is 0$"),
-    (lambda: ps.segment(POINTS, TRIANGLES, -2), "^number_of_segments is -2$"),
-    (lambda: ps.segment(POINTS, TRIANGLES, 5), "^number_of_segments is 5, but tmesh has only 4 faces$"),
-    (lambda: ps.segment(POINTS, TRIANGLES, 2**80), f"^number_of_segments is {2**80}$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, 0), "^number_of_segments is 0, but it must be from 1 to 4, the number of faces of the mesh$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, -2), "^number_of_segments is -2, but it must be from 1 to 4,"),
+    (lambda: ps.segment(POINTS, TRIANGLES, 5), "^number_of_segments is 5, but it must be from 1 to 4,"),
+    (lambda: ps.segment(POINTS, TRIANGLES, 2**80), f"^number_of_segments is {2**80}, which does not fit into 64 bits$"),
     (lambda: ps.segment(POINTS, TRIANGLES, 2.5), "^number_of_segments is no integer, but 2.5$"),
-    (lambda: ps.segment(POINTS, TRIANGLES, True), "^number_of_segments is True$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, True), "^number_of_segments is no integer, but True$"),
     (lambda: ps.segment(POINTS, TRIANGLES, "3"), "^number_of_segments is no integer, but '3'$"),
     (lambda: ps.segment(POINTS, TRIANGLES, method="x"), "^method is 'x', but it must be minimum-cut or paper$"),
     (lambda: ps.segment(POINTS, TRIANGLES, distance="far"), "^distance is 'far', but it must be geodesic, landmark"),
-    (lambda: ps.segment(POINTS, TRIANGLES, method=None), "^method is None"),
-    (lambda: ps.segment(POINTS, TRIANGLES, distance=1), "^distance is 1"),
-    (lambda: ps.tips(POINTS, TRIANGLES, 2, None), "^distance is None"),
-    (lambda: ps.segment(POINTS, TRIANGLES, random_seed=-1), "^random_seed is -1$"),
-    (lambda: ps.segment(POINTS, TRIANGLES, random_seed=2**32), "^random_seed is 4294967296$"),
-    (lambda: ps.hierarchy(POINTS, TRIANGLES, 0), "^number_of_segments is 0$"),
-    (lambda: ps.hierarchy(POINTS, TRIANGLES, -1), "^maximum_number_of_segments is -1$"),
-    (lambda: ps.tips(POINTS, TRIANGLES, 5), "^number_of_tips is 5, but tmesh has only 4 faces$"),
-    (lambda: ps.tips(POINTS, TRIANGLES, -5), "^number_of_tips is -5$"),
-    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [4]), "^tips: a face is not in tmesh$"),
-    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [-1]), "^tips: a face is not in tmesh$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, method=None), "^method is None, but it must be minimum-cut or paper$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, distance=1), "^distance is 1, but it must be geodesic, landmark"),
+    (lambda: ps.tips(POINTS, TRIANGLES, 2, None), "^distance is None, but it must be"),
+    (lambda: ps.segment(POINTS, TRIANGLES, random_seed=-1), "^random_seed is -1, but it must be from 0 to 4294967295$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, random_seed=2**32), "^random_seed is 4294967296, but it must be from 0 to 4294967295$"),
+    (lambda: ps.hierarchy(POINTS, TRIANGLES, 0), "^maximum_number_of_segments is 0, but it must be from 1 to 4, the number of faces of the mesh$"),
+    (lambda: ps.hierarchy(POINTS, TRIANGLES, -1), "^maximum_number_of_segments is -1, but it must be from 1 to 4,"),
+    (lambda: ps.tips(POINTS, TRIANGLES, 5), "^number_of_tips is 5, but it must be from 0 to 4, the number of faces of the mesh$"),
+    (lambda: ps.tips(POINTS, TRIANGLES, -5), "^number_of_tips is -5, but it must be from 0 to 4,"),
+    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [4]), "^tips: a face is not in the mesh$"),
+    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [-1]), "^tips: a face is not in the mesh$"),
     (lambda: ps.segment_from_tips(POINTS, TRIANGLES, 3), "^tips: the shape"),
     (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [0.5]), "^tips: not all of them are integers$"),
-    (lambda: ps.evaluate(POINTS, TRIANGLES, [0, 1, 2], [0] * 4), "^labels: there are 3, but tmesh has 4 faces$"),
-    (lambda: ps.evaluate(POINTS, TRIANGLES, [0] * 4, [0] * 5), "^reference: there are 5, but tmesh has 4 faces$"),
+    (lambda: ps.evaluate(POINTS, TRIANGLES, [0, 1, 2], [0] * 4), "^labels: there are 3, but the mesh has 4 faces$"),
+    (lambda: ps.evaluate(POINTS, TRIANGLES, [0] * 4, [0] * 5), "^reference: there are 5, but the mesh has 4 faces$"),
     (lambda: ps.evaluate(POINTS, TRIANGLES, [0.0] * 4, [0] * 4), "^labels: not all of them are integers$"),
 ]
 
@@ -112,6 +112,13 @@ CALLS = [
 def test_wrong_argument(call, words):
     with pytest.raises(ValueError, match=words):
         call()
+
+
+def test_coordinates_of_unused_vertices_do_not_matter():
+    points = np.vstack([POINTS, [[np.nan, np.inf, 0]]])
+    for call in FUNCTIONS.values():
+        if call is not FUNCTIONS["evaluate"]:
+            call(points, TRIANGLES)
 
 
 SURFACES = {

@@ -265,8 +265,27 @@ void isolated_vertices_do_not_matter()
   }
 }
 
+void arrays_must_fit_together()
+{
+  using Indices = std::vector<Indexed_surface::Index>;
+  const std::vector<Indexed_surface::Point_3> points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+  const Indices none(3, Indexed_surface::no_face());
+  const auto make = [&](const Indices& begin, const Indices& vertices, const Indices& neighbors)
+  { return Indexed_surface(points, begin, vertices, neighbors); };
+  CHECK_EQUAL(make({0, 3}, {0, 1, 2}, none).area(), 0.5);
+  CHECK_EQUAL(make({0}, {}, {}).area(), 0);
+  CHECK_THROWS_WITH(make({}, {}, {}), std::invalid_argument, "corner_begin: it does not begin with 0");
+  CHECK_THROWS_WITH(make({1, 3}, {0, 1, 2}, none), std::invalid_argument, "corner_begin: it does not begin with 0");
+  CHECK_THROWS_WITH(make({0, 2}, {0, 1, 2}, none), std::invalid_argument, "end with the number of corners");
+  CHECK_THROWS_WITH(make({0, 0, 3}, {0, 1, 2}, none), std::invalid_argument, "corner_begin: a face has no corner");
+  CHECK_THROWS_WITH(make({0, 3}, {0, 1, 2}, {}), std::invalid_argument, "corner_neighbors: its size");
+  CHECK_THROWS_WITH(make({0, 3}, {0, 1, 3}, none), std::invalid_argument, "corner_vertices: there is no vertex 3");
+  CHECK_THROWS_WITH(make({0, 3}, {0, 1, 2}, {1, 1, 1}), std::invalid_argument, "corner_neighbors: there is no face 1");
+}
+
 int main()
 {
+  arrays_must_fit_together();
   areas_and_centroids_of_triangles_and_polygons();
   polygons_may_begin_at_any_corner();
   centroids_of_degenerate_polygons_are_inside();

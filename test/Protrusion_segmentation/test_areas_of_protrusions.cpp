@@ -16,15 +16,6 @@ using namespace CGAL::Protrusion_segmentation;
 
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-struct Recorder : Segmentation_visitor<Mesh>
-{
-  void on_protrusion(const Protrusion<face_descriptor>& protrusion) override
-  {
-    protrusions.push_back(protrusion);
-  }
-  std::vector<Protrusion<face_descriptor>> protrusions;
-};
-
 // Of every segment of a hierarchy.
 std::vector<double> areas_of_segments(const Test_mesh& soup,
                                       const Mesh& mesh,
@@ -68,17 +59,17 @@ std::size_t check_areas(const Test_mesh& soup, const Method& method, bool is_sma
   constexpr std::size_t largest_number = 12;
   const double tolerance = 1e-9 * area(soup);
   const Mesh mesh = to_graph<Mesh>(soup);
-  Recorder recorder;
+  Segmentation_record<Mesh> recorder;
   const Segment_hierarchy hierarchy = CGAL::protrusion_hierarchy(
     mesh, (std::min)(largest_number, soup.faces.size()), method,
     CGAL::parameters::visitor(std::ref(recorder)));
-  CHECK_EQUAL(recorder.protrusions.size(),
+  CHECK_EQUAL(recorder.protrusions().size(),
               hierarchy.maximum_number_of_segments() - hierarchy.minimum_number_of_segments());
   const std::vector<double> beyond = areas_beyond_borders(hierarchy,
                                                           areas_of_segments(soup, mesh, hierarchy));
-  for (std::size_t i = 0; i < recorder.protrusions.size(); ++i)
+  for (std::size_t i = 0; i < recorder.protrusions().size(); ++i)
   {
-    const auto& protrusion = recorder.protrusions[i];
+    const auto& protrusion = recorder.protrusions()[i];
     CHECK_EQUAL(protrusion.segment, hierarchy.minimum_number_of_segments() + i);
     CHECK_EQUAL(protrusion.parent, hierarchy.parent(protrusion.segment));
     CHECK_CLOSE(beyond[protrusion.segment], protrusion.area, tolerance);
@@ -86,7 +77,7 @@ std::size_t check_areas(const Test_mesh& soup, const Method& method, bool is_sma
     if (is_smaller_side)
       CHECK(2 * beyond[protrusion.segment] <= beyond[body] + tolerance);
   }
-  return recorder.protrusions.size();
+  return recorder.protrusions().size();
 }
 
 // The segmentation for the largest number is the direct one; for smaller ones, segments that are no more belong to

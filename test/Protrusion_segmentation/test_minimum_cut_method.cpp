@@ -111,7 +111,7 @@ void the_hierarchy_holds_nested_segmentations()
   CHECK_THROWS_WITH(hierarchy.segment_ids(mesh, 13, ids.map()), std::invalid_argument,
                     "number_of_segments");
   CHECK_THROWS_WITH(hierarchy.segment_ids(to_graph<Mesh>(tetrahedron()), 2, ids.map()),
-                    std::invalid_argument, "tmesh");
+                    std::invalid_argument, "pmesh");
 }
 
 void tips_of_a_user_are_cut_off()

@@ -51,7 +51,7 @@ std::vector<Point_3> points_of(const Test_mesh& soup)
 template <typename FaceGraph>
 Correspondence<FaceGraph> repair(const Test_mesh& soup, FaceGraph& mesh)
 {
-  return CGAL::polygon_soup_to_manifold_mesh(points_of(soup), soup.faces, mesh);
+  return CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(points_of(soup), soup.faces, mesh);
 }
 
 Repairs repairs_of(const Test_mesh& soup)
@@ -437,7 +437,8 @@ template <typename Points, typename Polygons>
 void check_refused(const Points& points, const Polygons& polygons, const std::string& message)
 {
   Mesh mesh = to_graph<Mesh>(tetrahedron());
-  CHECK_THROWS_WITH(CGAL::polygon_soup_to_manifold_mesh(points, polygons, mesh), std::invalid_argument, message);
+  CHECK_THROWS_WITH(CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(points, polygons, mesh),
+                    std::invalid_argument, message);
   CHECK_EQUAL(mesh.number_of_vertices(), 4);
   CHECK_EQUAL(mesh.number_of_faces(), 4);
 }
@@ -457,14 +458,18 @@ void bad_input_is_refused()
     {
       std::vector<Point_3> wrong = points;
       wrong[5] = Point_3(c == 0 ? bad : 1, c == 1 ? bad : 1, c == 2 ? bad : 1);
-      check_refused(wrong, Polygons{{0, 1, 2}}, "points: point 5 has a coordinate that is not finite");
+      check_refused(wrong, Polygons{{0, 1, 2}, {0, 1, 5}}, "points: point 5 has a coordinate that is not finite");
+      Mesh mesh; // of which the point is no part
+      CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(wrong, Polygons{{0, 1, 2}}, mesh);
+      CHECK_EQUAL(mesh.number_of_vertices(), 3);
     }
 }
 
 void faces_are_added()
 {
   Mesh mesh = to_graph<Mesh>(tetrahedron());
-  const auto found = CGAL::polygon_soup_to_manifold_mesh(points_of(box()), box().faces, mesh);
+  const auto found = CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(points_of(box()),
+                                                                                  box().faces, mesh);
   CHECK_EQUAL(mesh.number_of_faces(), 10);
   CHECK_EQUAL(mesh.number_of_vertices(), 12);
   CHECK_EQUAL(found.faces.size(), 6);
@@ -483,8 +488,9 @@ void any_ranges_do()
     pairs.emplace_back(7, p);
 
   Mesh of_list, of_pairs;
-  CGAL::polygon_soup_to_manifold_mesh(std::list<Point_3>(points.begin(), points.end()), polygons, of_list);
-  const auto found = CGAL::polygon_soup_to_manifold_mesh(
+  CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(
+    std::list<Point_3>(points.begin(), points.end()), polygons, of_list);
+  const auto found = CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(
     pairs, soup.faces, of_pairs,
     CGAL::parameters::point_map(CGAL::Second_of_pair_property_map<std::pair<int, Point_3>>()));
   check_mesh(soup, of_pairs, found);
@@ -494,8 +500,9 @@ void any_ranges_do()
 
   Mesh other;
   const auto doubled = other.add_property_map<Mesh::Vertex_index, Point_3>("v:other").first;
-  CGAL::polygon_soup_to_manifold_mesh(points, soup.faces, other, CGAL::parameters::default_values(),
-                                      CGAL::parameters::vertex_point_map(doubled));
+  CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(
+    points, soup.faces, other, CGAL::parameters::default_values(),
+    CGAL::parameters::vertex_point_map(doubled));
   for (const auto v : vertices(other))
     CHECK(doubled[v] == points[v]);
 }

@@ -34,7 +34,8 @@ std::vector<Border> borders(const Test_mesh& soup, const std::vector<std::size_t
   for (const auto f : faces(mesh))
     segments[f] = *label++;
   std::vector<Border> result;
-  CGAL::segment_borders(mesh, boost::make_assoc_property_map(segments), std::back_inserter(result));
+  CGAL::Protrusion_segmentation::segment_borders(mesh, boost::make_assoc_property_map(segments),
+                                                 std::back_inserter(result));
   return result;
 }
 

@@ -164,37 +164,40 @@ void with_tag()
 }
 
 template <typename Number>
-void check_refused_number(Number k, const std::string& message)
+void check_refused_number(Number k, const std::string& number)
 {
+  const std::string message = "number_of_segments is " + number + ", but it must be from 1 to " +
+                              std::to_string(star_mesh().number_of_faces()) + ", the number of faces of pmesh";
   const Mesh& mesh = star_mesh();
   Segment_ids<Mesh> ids(mesh);
   CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k), std::invalid_argument,
                     message);
   CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Histogram_method()),
                     std::invalid_argument, message);
-  CHECK_THROWS_WITH(CGAL::protrusion_hierarchy(mesh, k), std::invalid_argument, message);
+  CHECK_THROWS_WITH(CGAL::protrusion_hierarchy(mesh, k), std::invalid_argument, "maximum_" + message);
   CHECK_THROWS_WITH(CGAL::protrusion_hierarchy(mesh, k, Histogram_method()), std::invalid_argument,
-                    message);
+                    "maximum_" + message);
   CHECK(is_untouched({0, ids.labels()}));
 }
 
 // None of them becomes a huge number.
 void numbers_below_one_are_refused()
 {
-  check_refused_number(-1, "number_of_segments is -1");
-  check_refused_number(-1l, "number_of_segments is -1");
-  check_refused_number(static_cast<short>(-7), "number_of_segments is -7");
+  check_refused_number(-1, "-1");
+  check_refused_number(-1l, "-1");
+  check_refused_number(static_cast<short>(-7), "-7");
   check_refused_number((std::numeric_limits<long long>::min)(),
-                       "number_of_segments is -9223372036854775808");
-  check_refused_number(0, "number_of_segments is 0");
-  check_refused_number(0u, "number_of_segments is 0");
-  check_refused_number(std::size_t(0), "number_of_segments is 0");
+                       "-9223372036854775808");
+  check_refused_number(0, "0");
+  check_refused_number(0u, "0");
+  check_refused_number(std::size_t(0), "0");
+  check_refused_number((std::numeric_limits<std::size_t>::max)(), "18446744073709551615");
   std::vector<Face_descriptor> tips;
   CHECK_THROWS_WITH(CGAL::protrusion_tips(star_mesh(), -3, std::back_inserter(tips)),
-                    std::invalid_argument, "number_of_tips is -3");
+                    std::invalid_argument, "number_of_tips is -3, but it must be from 0 to ");
   CHECK_THROWS_WITH(
     CGAL::protrusion_tips(star_mesh(), -3l, std::back_inserter(tips), Geodesic_distance()),
-    std::invalid_argument, "number_of_tips is -3");
+    std::invalid_argument, "number_of_tips is -3, but it must be from 0 to ");
   CGAL::protrusion_tips(star_mesh(), 0, std::back_inserter(tips));
   CHECK(tips.empty());
 }

@@ -169,7 +169,7 @@ void the_number_of_segments_must_be_possible()
   CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 0), std::invalid_argument,
                     "number_of_segments is 0");
   CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 5), std::invalid_argument,
-                    "number_of_segments is 5, but tmesh has only 4 faces");
+                    "number_of_segments is 5, but it must be from 1 to 4, the number of faces of pmesh");
   CHECK(is_untouched({0, ids.labels()}));
 }
 

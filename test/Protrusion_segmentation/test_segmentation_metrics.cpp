@@ -184,15 +184,20 @@ void test_huge_and_tiny_squares_by_hand()
     for (const std::size_t i : {0u, 1u, 3u, 4u})
       mesh.add_face(v[i], v[i + 1], v[i + 4], v[i + 3]);
     const Face_labels<Mesh> columns(mesh, {0, 1, 0, 1}), rows(mesh, {0, 0, 1, 1});
-    CHECK_CLOSE(CGAL::segmentation_hamming_distance(mesh, columns.map(), rows.map()).distance, 1 / 2.,
-                exact);
-    const auto consistency = CGAL::segmentation_consistency_error(mesh, columns.map(), rows.map());
+    CHECK_CLOSE(
+      CGAL::Protrusion_segmentation::segmentation_hamming_distance(mesh, columns.map(), rows.map())
+        .distance,
+      1 / 2., exact);
+    const auto consistency = CGAL::Protrusion_segmentation::segmentation_consistency_error(
+      mesh, columns.map(), rows.map());
     CHECK_CLOSE(consistency.global_by_area, 1 / 2., exact);
     CHECK_CLOSE(consistency.local_by_area, 1 / 2., exact);
     // of the three points of each border, the two at the ends are 1 from the middle of the other one; all centroids
     // are as far from the middle
-    CHECK_CLOSE(CGAL::segmentation_cut_discrepancy(mesh, columns.map(), rows.map()).value_or(0),
-                2 / 3. / std::sqrt(1 / 2.), exact);
+    CHECK_CLOSE(
+      CGAL::Protrusion_segmentation::segmentation_cut_discrepancy(mesh, columns.map(), rows.map())
+        .value_or(0),
+      2 / 3. / std::sqrt(1 / 2.), exact);
   }
 }
 
@@ -328,11 +333,11 @@ void test_single_functions_agree_with_all_at_once()
     put(b, f, -long(f / 7));
   }
   Metrics apart;
-  apart.rand_index_error = CGAL::segmentation_rand_index_error(mesh, a, b);
-  apart.hamming_distance = CGAL::segmentation_hamming_distance(mesh, a, b);
-  apart.cut_discrepancy = CGAL::segmentation_cut_discrepancy(mesh, a, b);
-  apart.consistency_error = CGAL::segmentation_consistency_error(mesh, a, b);
-  check_same(apart, CGAL::segmentation_metrics(mesh, a, b));
+  apart.rand_index_error = CGAL::Protrusion_segmentation::segmentation_rand_index_error(mesh, a, b);
+  apart.hamming_distance = CGAL::Protrusion_segmentation::segmentation_hamming_distance(mesh, a, b);
+  apart.cut_discrepancy = CGAL::Protrusion_segmentation::segmentation_cut_discrepancy(mesh, a, b);
+  apart.consistency_error = CGAL::Protrusion_segmentation::segmentation_consistency_error(mesh, a, b);
+  check_same(apart, CGAL::Protrusion_segmentation::segmentation_metrics(mesh, a, b));
 }
 
 void test_named_parameters()
@@ -347,7 +352,7 @@ void test_named_parameters()
     put(reversed, v, num_vertices(mesh) - 1 - v);
   }
   const Face_labels<Mesh> a(mesh, {0, 1, 1, 1}), b(mesh, {0, 0, 1, 1});
-  const Metrics m = CGAL::segmentation_metrics(
+  const Metrics m = CGAL::Protrusion_segmentation::segmentation_metrics(
     mesh, a.map(), b.map(), CGAL::parameters::vertex_point_map(stretched).vertex_index_map(reversed));
   CHECK_CLOSE(m.hamming_distance.missing_rate, 1 / 22., exact);
   // centroids 1/2, 3/2, 7, 17 with areas 1, 1, 10, 10

@@ -165,7 +165,7 @@ void components_alone_take_no_search()
   struct Counter : CGAL::Protrusion_segmentation::Segmentation_visitor<Mesh>
   {
     int preparations = 0;
-    void on_preparation_begin() override { ++preparations; }
+    void on_preparation_begin() { ++preparations; }
   };
   const std::size_t faces = figure().faces.size();
   const Mesh mesh = to_graph<Mesh>(figures({1, 3, 2}));

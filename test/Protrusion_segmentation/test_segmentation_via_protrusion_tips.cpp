@@ -45,24 +45,17 @@ void balls_are_cut_off_sticks()
   check_parts(dumbbell(1, 1, 0.1), 0.98);
 }
 
-// Numbers of the segments that they were cut from.
-struct Parents : Segmentation_visitor<Mesh>
-{
-  void on_protrusion(const Protrusion<face_descriptor>& protrusion) override
-  {
-    parents.insert(protrusion.parent);
-  }
-  std::set<std::size_t> parents;
-};
-
 void protrusions_of_protrusions_are_cut_off()
 {
-  Parents visitor;
+  Segmentation_record<Mesh> record;
   const Segmentation found = paper_segmentation(to_graph<Mesh>(body_with_hands()), 12,
-                                                CGAL::parameters::visitor(std::ref(visitor)));
-  std::cout << found.number << " segments of a body with hands, cut from " << visitor.parents.size()
+                                                CGAL::parameters::visitor(std::ref(record)));
+  std::set<std::size_t> parents;
+  for (const auto& protrusion : record.protrusions())
+    parents.insert(protrusion.parent);
+  std::cout << found.number << " segments of a body with hands, cut from " << parents.size()
             << " others\n";
-  CHECK(visitor.parents.size() > 1);
+  CHECK(parents.size() > 1);
 }
 
 void a_smaller_number_of_segments_is_kept_to()

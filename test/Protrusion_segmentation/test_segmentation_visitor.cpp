@@ -23,14 +23,14 @@ void a_visitor_is_told_what_is_found()
                                                 parameters::visitor(std::ref(recorder)));
 
   check_stages_and_progress(recorder);
-  CHECK(recorder.runs > 4 && recorder.runs < 200);
+  CHECK(recorder.number_of_runs() > 4 && recorder.number_of_runs() < 200);
 
-  CHECK_EQUAL(recorder.protrusions.size(), 4);
-  for (const auto& protrusion : recorder.protrusions)
+  CHECK_EQUAL(recorder.protrusions().size(), 4);
+  for (const auto& protrusion : recorder.protrusions())
   {
     CHECK(protrusion.parent < protrusion.segment && protrusion.segment < found.number);
     CHECK_EQUAL(found.labels[protrusion.tip], protrusion.segment);
-    CHECK_EQUAL(recorder.tips.count(protrusion.tip), 1);
+    CHECK_EQUAL(std::count(recorder.tips().begin(), recorder.tips().end(), protrusion.tip), 1);
     CHECK(protrusion.border_distance > factor && protrusion.border_distance < 2.5 * factor);
     // around the arm, in zigzag
     const double girth = 2 * pi * 0.15 * factor;
@@ -40,7 +40,8 @@ void a_visitor_is_told_what_is_found()
       area += found.labels[f] == protrusion.segment ? face_area(soup, soup.faces[f]) : 0;
     CHECK_CLOSE(protrusion.area, area, 1e-9 * area);
     CHECK(protrusion.value >= 0.3);
-    CHECK(protrusion.border_slot < 100);
+    const std::size_t slot_of_border = protrusion.border_slot.value();
+    CHECK(slot_of_border < 100);
     CHECK_EQUAL(protrusion.distance_histogram.size(), 100);
     CHECK(std::accumulate(protrusion.distance_histogram.begin(), protrusion.distance_histogram.end(),
                           std::size_t(0)) > soup.faces.size() / 2);
@@ -49,7 +50,7 @@ void a_visitor_is_told_what_is_found()
     for (std::size_t slot = 20; slot < 100; ++slot)
       CHECK(protrusion.sectional_diameter_histogram[slot] > 0.1 * factor);
     // half way down the arm the diameter is that of the arm
-    CHECK_CLOSE(protrusion.sectional_diameter_histogram.at(protrusion.border_slot / 2), 0.3 * factor,
+    CHECK_CLOSE(protrusion.sectional_diameter_histogram.at(slot_of_border / 2), 0.3 * factor,
                 0.05 * factor);
   }
 }
@@ -68,8 +69,8 @@ template <typename Method>
 void a_visitor_stops_the_method_at_every_question(const Method& method)
 {
   Mesh_recorder all;
-  Segment_ids<Mesh> ids(star_mesh());
-  CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), 5, method,
+  Segment_ids<Mesh> all_ids(star_mesh());
+  CGAL::segmentation_via_protrusion_tips(star_mesh(), all_ids.map(), 5, method,
                                          parameters::visitor(std::ref(all)));
   check_stages_and_progress(all);
   CHECK(all.questions > 5);
@@ -81,10 +82,10 @@ void a_visitor_stops_the_method_at_every_question(const Method& method)
     std::map<Mesh::Edge_index, bool> is_border;
     const auto np = parameters::visitor(std::ref(recorder))
                       .edge_is_constrained_map(boost::make_assoc_property_map(is_border));
-    const Segmentation found = checked(
-      star_mesh(),
-      [&](auto map) { return CGAL::segmentation_via_protrusion_tips(star_mesh(), map, 5, method, np); });
-    CHECK_EQUAL(found.number, 0); // and `checked()` sees that nothing was written
+    Segment_ids<Mesh> ids(star_mesh());
+    CHECK_THROWS_AS(CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), 5, method, np),
+                    Segmentation_stopped);
+    CHECK(is_untouched({0, ids.labels()}));
     CHECK(is_border.empty());
     CHECK_EQUAL(recorder.questions, question);
     CHECK(recorder.open.empty());
@@ -95,23 +96,61 @@ void a_visitor_stops_the_other_functions()
 {
   Mesh_recorder recorder;
   recorder.stop_at = 3;
-  CHECK_EQUAL(CGAL::protrusion_hierarchy(star_mesh(), 5, parameters::visitor(std::ref(recorder)))
-                .maximum_number_of_segments(),
-              0);
+  CHECK_THROWS_AS(CGAL::protrusion_hierarchy(star_mesh(), 5, parameters::visitor(std::ref(recorder))),
+                  Segmentation_stopped);
   recorder.questions = 0;
   std::vector<Mesh::Face_index> tips;
-  CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips),
-                        parameters::visitor(std::ref(recorder)));
+  CHECK_THROWS_AS(CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips),
+                                        parameters::visitor(std::ref(recorder))),
+                  Segmentation_stopped);
   CHECK(tips.empty());
   CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips));
   recorder.questions = 0;
-  const Segmentation found = checked(star_mesh(),
-                                     [&](auto ids)
-                                     {
-                                       return CGAL::segmentation_from_protrusion_tips(
-                                         star_mesh(), tips, ids, parameters::visitor(std::ref(recorder)));
-                                     });
-  CHECK_EQUAL(found.number, 0);
+  Segment_ids<Mesh> ids(star_mesh());
+  CHECK_THROWS_AS(CGAL::segmentation_from_protrusion_tips(star_mesh(), tips, ids.map(),
+                                                          parameters::visitor(std::ref(recorder))),
+                  Segmentation_stopped);
+  CHECK(is_untouched({0, ids.labels()}));
+}
+
+template <typename Method>
+void a_record_holds_the_last_call(const Method& method)
+{
+  Segmentation_record<Mesh> record, first;
+  Segment_ids<Mesh> ids(star_mesh());
+  for (const int k : {5, 3})
+    CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), k, method, parameters::visitor(std::ref(record)));
+  CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), 3, method, parameters::visitor(std::ref(first)));
+  CHECK_EQUAL(record.protrusions().size(), 2);
+  CHECK(record.tips() == first.tips());
+  CHECK_EQUAL(record.number_of_runs(), first.number_of_runs());
+  for (const std::size_t segment : {1, 2})
+    CHECK(record.value(0, segment) == record.protrusions()[segment - 1].value);
+}
+
+// Only those with functions of their own for tips or protrusions pay for descriptions.
+struct Progress_visitor : Segmentation_visitor<Mesh>
+{
+  void on_progress(double) {}
+};
+struct Tip_visitor : Progress_visitor
+{
+  void on_tip(face_descriptor) {}
+};
+struct Visitor_of_any : Segmentation_visitor<Mesh>
+{
+  template <typename Found>
+  void on_protrusion(const Found&)
+  {}
+};
+
+void protrusions_are_described_only_if_somebody_looks()
+{
+  CHECK(!(internal::Looks_at_protrusions<Segmentation_visitor<Mesh>, Mesh>::value));
+  CHECK(!(internal::Looks_at_protrusions<Progress_visitor, Mesh>::value));
+  CHECK((internal::Looks_at_protrusions<Tip_visitor, Mesh>::value));
+  CHECK((internal::Looks_at_protrusions<Visitor_of_any, Mesh>::value));
+  CHECK((internal::Looks_at_protrusions<Segmentation_record<Mesh>, Mesh>::value));
 }
 
 // Throws in the function of the given number, and then at the end of every stage that is left for it.
@@ -132,21 +171,21 @@ public:
 
   explicit Failing_visitor(int failing) : m_failing(failing) {}
 
-  void on_reading_begin() override { fail(BEGIN); }
-  void on_reading_end() override { end(); }
-  void on_preparation_end() override { end(); }
-  void on_tips_end() override { end(); }
-  void on_borders_end() override { end(); }
-  void on_labels_end() override { end(); }
-  void on_progress(double) override { fail(PROGRESS); }
-  bool go_further() override
+  void on_reading_begin() { fail(BEGIN); }
+  void on_reading_end() { end(); }
+  void on_preparation_end() { end(); }
+  void on_tips_end() { end(); }
+  void on_borders_end() { end(); }
+  void on_labels_end() { end(); }
+  void on_progress(double) { fail(PROGRESS); }
+  bool go_further()
   {
     fail(GO_FURTHER);
     return true;
   }
-  void on_tip(face_descriptor) override { fail(TIP); }
-  void on_protrusion(const Protrusion<face_descriptor>&) override { fail(PROTRUSION); }
-  void on_distances(std::size_t) override { fail(DISTANCES); }
+  void on_tip(face_descriptor) { fail(TIP); }
+  void on_protrusion(const Protrusion<face_descriptor>&) { fail(PROTRUSION); }
+  void on_distances(std::size_t) { fail(DISTANCES); }
 
 private:
   void fail(int function)
@@ -188,6 +227,9 @@ int main()
   a_visitor_stops_the_method_at_every_question(Minimum_cut_method());
   a_visitor_stops_the_method_at_every_question(Minimum_cut_method(Geodesic_distance()));
   a_visitor_stops_the_other_functions();
+  a_record_holds_the_last_call(Histogram_method());
+  a_record_holds_the_last_call(Minimum_cut_method());
+  protrusions_are_described_only_if_somebody_looks();
   exceptions_of_a_visitor_get_through(Histogram_method());
   exceptions_of_a_visitor_get_through(Minimum_cut_method());
   exceptions_of_a_visitor_get_through(Minimum_cut_method(Geodesic_distance()));

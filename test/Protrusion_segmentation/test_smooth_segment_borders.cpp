@@ -48,9 +48,9 @@ Smoothed smooth(const Test_mesh& soup, const Labels& labels, const NamedParamete
   Smoothed result;
   const auto segments = result.mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment").first;
   const auto old_faces = result.mesh.add_property_map<Mesh::Face_index, Mesh::Face_index>("f:old").first;
-  result.number_of_fixed_segments = CGAL::smooth_segment_borders(
-    mesh, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh)), result.mesh, segments,
-    old_faces, np);
+  result.number_of_fixed_segments = CGAL::Protrusion_segmentation::smooth_segment_borders(
+    mesh, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh)), result.mesh,
+    segments, old_faces, np);
   for (const auto f : faces(result.mesh))
   {
     result.segments.push_back(segments[f]);
@@ -79,8 +79,9 @@ using Lengths = std::map<std::array<std::size_t, 2>, double>; // of the border b
 Lengths border_lengths(const Mesh& mesh, const Labels& labels)
 {
   std::vector<CGAL::Protrusion_segmentation::Segment_border<Mesh::Point>> borders;
-  CGAL::segment_borders(mesh, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh)),
-                        std::back_inserter(borders));
+  CGAL::Protrusion_segmentation::segment_borders(
+    mesh, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh)),
+    std::back_inserter(borders));
   Lengths lengths;
   for (const auto& border : borders)
     lengths[border.segments] += border.length;

@@ -24,13 +24,6 @@ using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-struct Speck_counter : Segmentation_visitor<Mesh>
-{
-  void on_specks(std::size_t number_of_specks) override { number += number_of_specks; }
-
-  std::size_t number = 0;
-};
-
 struct Found
 {
   Segmentation segmentation;
@@ -41,12 +34,12 @@ template <typename Method, typename... Number>
 Found segment(const Test_mesh& soup, const Method& method, Number... k)
 {
   const Mesh mesh = to_graph<Mesh>(soup);
-  Speck_counter counter;
-  const auto np = CGAL::parameters::visitor(std::ref(counter));
+  Segmentation_record<Mesh> record;
+  const auto np = CGAL::parameters::visitor(std::ref(record));
   Found result;
   result.segmentation = checked(
     mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k..., method, np); });
-  result.number_of_specks = counter.number;
+  result.number_of_specks = record.number_of_specks();
   return result;
 }
 

@@ -97,7 +97,7 @@ class Counting_visitor : public Recorder<Mesh>
 public:
   explicit Counting_visitor(Counters& counters) : m_counters(counters) {}
 
-  bool go_further() override
+  bool go_further()
   {
     const std::size_t runs = m_counters.runs() - m_counters.runs_in_preparation;
     m_largest = (std::max)(m_largest, runs - m_runs_before);
@@ -118,8 +118,8 @@ std::size_t number_of_different(const std::vector<double>& shares)
   return std::set<double>(shares.begin(), shares.end()).size();
 }
 
-template <typename Method>
-std::size_t segment(const Mesh& mesh, const Method& method, Recorder<Mesh>& recorder)
+template <typename Method, typename Visitor>
+std::size_t segment(const Mesh& mesh, const Method& method, Visitor& recorder)
 {
   return checked(mesh,
                  [&](auto ids)
@@ -142,7 +142,7 @@ void check_questions(const std::string& name, const Mesh& mesh, const Distance& 
             << " questions, " << counters.runs() << " distance computations, "
             << number_of_different(visitor.shares) << " values of progress\n";
   CHECK(counters.runs() > 10);
-  CHECK_EQUAL(counters.runs(), visitor.runs);
+  CHECK_EQUAL(counters.runs(), visitor.number_of_runs());
   CHECK_EQUAL(visitor.largest_number_of_runs_between_questions(), 1);
   CHECK(number_of_different(visitor.shares) > least_number_of_shares);
 }
@@ -158,7 +158,7 @@ void check_stops(const Mesh& mesh, const Method& method)
   {
     Recorder<Mesh> recorder;
     recorder.stop_at = 1 + i * (all.questions - 1) / number_of_stops;
-    CHECK_EQUAL(segment(mesh, method, recorder), 0);
+    CHECK_THROWS_AS(segment(mesh, method, recorder), Segmentation_stopped);
     CHECK_EQUAL(recorder.questions, recorder.stop_at);
     CHECK(recorder.open.empty());
   }
@@ -177,7 +177,7 @@ void check_distance(const std::string& name, const Mesh& mesh, const Distance& d
 class Visitor_of_tips : public Recorder<Mesh>
 {
 public:
-  bool go_further() override
+  bool go_further()
   {
     questions_while_tips_are_selected += !open.empty() && open.back() == "tips";
     return Recorder<Mesh>::go_further();
@@ -192,9 +192,9 @@ void check_default_method(const Mesh& mesh)
   check_stages_and_progress(visitor);
   std::cout << "default method, " << mesh.number_of_faces() << " faces: " << visitor.questions
             << " questions, " << visitor.questions_while_tips_are_selected << " of them for "
-            << visitor.runs << " shortest path computations, " << number_of_different(visitor.shares)
+            << visitor.number_of_runs() << " shortest path computations, " << number_of_different(visitor.shares)
             << " values of progress\n";
-  CHECK(visitor.questions_while_tips_are_selected >= visitor.runs);
+  CHECK(visitor.questions_while_tips_are_selected >= visitor.number_of_runs());
   CHECK(number_of_different(visitor.shares) > least_number_of_shares);
   check_stops(mesh, Minimum_cut_method());
 }

@@ -55,22 +55,16 @@ private:
   Distance m_distance;
 };
 
-struct Runs : Segmentation_visitor<Mesh>
-{
-  void on_distances(std::size_t number_of_runs) override { sum += number_of_runs; }
-  std::size_t sum = 0;
-};
-
 // The labels and how many distance computations they took.
 template <typename Method>
 std::pair<Segmentation, std::size_t> result_of(const Method& method)
 {
-  Runs runs;
-  const auto np = CGAL::parameters::visitor(std::ref(runs));
+  Segmentation_record<Mesh> record;
+  const auto np = CGAL::parameters::visitor(std::ref(record));
   const Segmentation found = checked(
     small_mesh(),
     [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(small_mesh(), ids, 4, method, np); });
-  return {found, runs.sum};
+  return {found, record.number_of_runs()};
 }
 
 template <typename Method, typename Distance>

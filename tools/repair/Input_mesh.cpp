@@ -140,7 +140,7 @@ auto make_mesh(const Polygon_soup& soup, Mesh& mesh)
 {
   try
   {
-    return CGAL::polygon_soup_to_manifold_mesh(soup.points, soup.polygons, mesh);
+    return CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(soup.points, soup.polygons, mesh);
   }
   catch (const std::invalid_argument&) // whoever read the soup found all else, and named it in the words of the format
   {

@@ -7,7 +7,7 @@
 
 #include "reading/Mesh.h"
 
-#include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
+#include <CGAL/Protrusion_segmentation/Segmentation_record.h>
 
 #include <array>
 #include <chrono>
@@ -28,8 +28,8 @@ struct Stage_record
   double seconds = 0; // of nested stages only the innermost counts
 };
 
-// A visitor that keeps what it is told.
-class Recorder : public CGAL::Protrusion_segmentation::Segmentation_visitor<Mesh>
+// A record that takes the time of the stages, too, and shows the progress.
+class Recorder : public CGAL::Protrusion_segmentation::Segmentation_record<Mesh>
 {
 public:
   // is called with the share that is done, the stage and the number of protrusions so far
@@ -37,36 +37,32 @@ public:
 
   explicit Recorder(Progress progress = {}) : m_progress(std::move(progress)) {}
 
-  const std::vector<Protrusion>& protrusions() const { return m_protrusions; }
   const std::array<Stage_record, 5>& stages() const { return m_stages; }
-  std::size_t number_of_specks() const { return m_number_of_specks; }
-  std::size_t number_of_runs() const { return m_number_of_runs; }
-  std::size_t number_of_eliminated_tips() const { return m_number_of_eliminated_tips; }
 
-  void on_reading_begin() override { begin(0); }
-  void on_reading_end() override { end(); }
-  void on_preparation_begin() override { begin(1); }
-  void on_preparation_end() override { end(); }
-  void on_tips_begin() override { begin(2); }
-  void on_tips_end() override { end(); }
-  void on_borders_begin() override { begin(3); }
-  void on_borders_end() override { end(); }
-  void on_labels_begin() override { begin(4); }
-  void on_labels_end() override { end(); }
-  void on_progress(double share) override
+  void on_reading_begin()
+  {
+    Segmentation_record::on_reading_begin();
+    begin(0);
+  }
+  void on_reading_end() { end(); }
+  void on_preparation_begin() { begin(1); }
+  void on_preparation_end() { end(); }
+  void on_tips_begin() { begin(2); }
+  void on_tips_end() { end(); }
+  void on_borders_begin() { begin(3); }
+  void on_borders_end() { end(); }
+  void on_labels_begin() { begin(4); }
+  void on_labels_end() { end(); }
+  void on_progress(double share)
   {
     m_share = share;
     show();
   }
-  void on_specks(std::size_t number_of_specks) override { m_number_of_specks = number_of_specks; }
-  void on_eliminated_tip(Face) override { ++m_number_of_eliminated_tips; }
-  void on_protrusion(const Protrusion& protrusion) override
+  void on_protrusion(const Protrusion& protrusion)
   {
-    m_protrusions.push_back(protrusion);
+    Segmentation_record::on_protrusion(protrusion);
     show();
   }
-  // Runs are told when a segment or all is done, so they belong to no stage.
-  void on_distances(std::size_t number_of_runs) override { m_number_of_runs += number_of_runs; }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -95,17 +91,13 @@ private:
   {
     if (m_progress)
       m_progress(m_share, m_running.empty() ? "" : m_stages[m_running.back()].name,
-                 m_protrusions.size());
+                 protrusions().size());
   }
 
   Progress m_progress;
   std::array<Stage_record, 5> m_stages = {{{"reading"}, {"preparation"}, {"tips"}, {"borders"}, {"labels"}}};
   std::vector<std::size_t> m_running; // stages, the innermost last
   Clock::time_point m_last_time;
-  std::vector<Protrusion> m_protrusions;
-  std::size_t m_number_of_runs = 0;
-  std::size_t m_number_of_specks = 0;
-  std::size_t m_number_of_eliminated_tips = 0;
   double m_share = 0;
 };
 

@@ -19,9 +19,9 @@ Smoothed_mesh smooth_borders(const Mesh& mesh, const std::vector<std::size_t>& s
   Smoothed_mesh result;
   const auto segments = result.mesh.add_property_map<Face, std::size_t>("f:segment").first;
   const auto old_faces = result.mesh.add_property_map<Face, Face>("f:old_face").first;
-  result.number_of_fixed_segments = CGAL::smooth_segment_borders(
-    mesh, boost::make_iterator_property_map(segment_ids.begin(), get(boost::face_index, mesh)), result.mesh, segments,
-    old_faces);
+  result.number_of_fixed_segments = CGAL::Protrusion_segmentation::smooth_segment_borders(
+    mesh, boost::make_iterator_property_map(segment_ids.begin(), get(boost::face_index, mesh)),
+    result.mesh, segments, old_faces);
   for (const Face face : faces(result.mesh))
   {
     result.segment_ids.push_back(segments[face]);

@@ -6,15 +6,13 @@
 
 #include "writing/vtp.h"
 
-#include <CGAL/Protrusion_segmentation/Border_values.h>
 #include <CGAL/Protrusion_segmentation/segment_borders.h>
 
 #include <boost/property_map/property_map.hpp>
 
-#include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
+#include <optional>
 #include <string>
 
 namespace tool
@@ -29,9 +27,9 @@ void write_values(std::ostream& out, const std::string& name, const std::vector<
   write_data_array(out, "type=\"Float64\" Name=\"" + name + "\"", [&]() {
     for (const Border& border : borders)
     {
-      const double x = value(border);
-      if (std::isfinite(x))
-        out << x << "\n";
+      const std::optional<double> x = value(border);
+      if (x)
+        out << *x << "\n";
       else
         out << "nan\n";
     }
@@ -48,8 +46,7 @@ void write_cell_data_of_lines(std::ostream& out, const std::vector<Border>& bord
     });
   write_values(out, "length", borders, [](const Border& border) { return border.length; });
   write_values(out, "value", borders, [](const Border& border) { return border.value; });
-  write_values(out, "probability", borders, [](const Border& border)
-               { return border.probability.value_or(std::numeric_limits<double>::quiet_NaN()); });
+  write_values(out, "probability", borders, [](const Border& border) { return border.probability; });
   out << "</CellData>\n";
 }
 
@@ -59,16 +56,17 @@ std::vector<Border> find_borders(const Findings& findings)
 {
   const Mesh& mesh = findings.mesh_of_borders();
   std::vector<CGAL::Protrusion_segmentation::Segment_border<Point>> lines;
-  CGAL::segment_borders(
+  CGAL::Protrusion_segmentation::segment_borders(
     mesh,
-    boost::make_iterator_property_map(findings.segments_at_borders().begin(), get(boost::face_index, mesh)),
+    boost::make_iterator_property_map(findings.segments_at_borders().begin(),
+                                      get(boost::face_index, mesh)),
     std::back_inserter(lines));
-  const CGAL::Protrusion_segmentation::Border_values values(findings.segmentation.record.protrusions());
+  const Recorder& record = findings.segmentation.record;
   std::vector<Border> borders;
   for (auto& line : lines)
   {
     const auto [s, t] = line.segments;
-    borders.push_back({std::move(line), values.value(s, t), values.probability(s, t)});
+    borders.push_back({std::move(line), record.value(s, t), record.probability(s, t)});
   }
   return borders;
 }

@@ -20,7 +20,7 @@ namespace tool
 // A line between two segments, and how sure it is.
 struct Border : CGAL::Protrusion_segmentation::Segment_border<Point>
 {
-  double value = 0;                  // infinity between components
+  std::optional<double> value;       // none between components
   std::optional<double> probability; // none for methods that do not estimate it
 };
 

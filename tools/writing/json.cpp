@@ -7,7 +7,6 @@
 #include "writing/borders.h"
 #include "writing/peak_memory.h"
 
-#include <CGAL/Protrusion_segmentation/Border_values.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
@@ -27,7 +26,6 @@ namespace
 {
 
 using Json = nlohmann::ordered_json;
-using CGAL::Protrusion_segmentation::Border_values;
 
 // Added one by one: the compiler takes many times as long for nested lists in braces.
 class Object
@@ -45,6 +43,12 @@ public:
   {
     add_json(key, is_known ? Json(value) : Json(nullptr));
     return *this;
+  }
+
+  template <typename T>
+  Object& add_optional(const char* key, const std::optional<T>& value)
+  {
+    return value ? add(key, *value) : add(key, nullptr);
   }
 
   Object& add_all(const Json& object)
@@ -91,10 +95,10 @@ Json describe(const Protrusion& protrusion, const Input_mesh& mesh)
     .add("parent", protrusion.parent)
     .add("tip", number_of_face(mesh, protrusion.tip))
     .add("tip_point", mean_of_corners(mesh.mesh, protrusion.tip))
-    .add_if(protrusion.border_slot != Protrusion::no_slot(), "border_slot", protrusion.border_slot)
+    .add_optional("border_slot", protrusion.border_slot)
     .add("border_distance", protrusion.border_distance)
     .add("value", protrusion.value)
-    .add_if(protrusion.probability.has_value(), "probability", protrusion.probability.value_or(0))
+    .add_optional("probability", protrusion.probability)
     .add("area", protrusion.area)
     .add("border_length", protrusion.border_length)
     .add_if(!distances.empty(), "distance_histogram", distances)
@@ -152,14 +156,15 @@ Json describe_measures(const Findings& findings)
     ++faces[segment];
   for (std::size_t i = 0; i < ids.size(); ++i)
     areas[ids[i]] += area(input.soup, input.soup.polygons[input.face_in_file[i]]);
-  const Border_values borders(findings.segmentation.record.protrusions());
+  const Recorder& record = findings.segmentation.record;
   Json array = Json::array();
   for (std::size_t s = 0; s < faces.size(); ++s)
     array.push_back(Object()
                       .add("segment", s)
                       .add("faces", faces[s])
                       .add("area", areas[s])
-                      .add("confidence", borders.least_value(s)) // infinity becomes null
+                      .add_optional("confidence", record.least_probability(s) ? record.least_probability(s)
+                                                                                : record.least_value(s))
                       .take());
   return array;
 }
@@ -173,8 +178,8 @@ Json describe(const Border& border)
   object.add("segments", border.segments)
     .add("is_closed", border.is_closed)
     .add("length", border.length)
-    .add("value", border.value) // infinity becomes null
-    .add_if(border.probability.has_value(), "probability", border.probability.value_or(0))
+    .add_optional("value", border.value)
+    .add_optional("probability", border.probability)
     .add("points", points);
   return object.take();
 }

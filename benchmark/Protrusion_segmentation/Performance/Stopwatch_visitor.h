@@ -22,18 +22,18 @@ class Stopwatch_visitor : public CGAL::Protrusion_segmentation::Segmentation_vis
 public:
   explicit Stopwatch_visitor(double limit) : m_limit(limit) {}
 
-  void on_reading_begin() override { begin_stage("reading"); }
-  void on_reading_end() override { end_stage(); }
-  void on_preparation_begin() override { begin_stage("preparation"); }
-  void on_preparation_end() override { end_stage(); }
-  void on_tips_begin() override { begin_stage("tips"); }
-  void on_tips_end() override { end_stage(); }
-  void on_borders_begin() override { begin_stage("borders"); }
-  void on_borders_end() override { end_stage(); }
-  void on_labels_begin() override { begin_stage("labels"); }
-  void on_labels_end() override { end_stage(); }
+  void on_reading_begin() { begin_stage("reading"); }
+  void on_reading_end() { end_stage(); }
+  void on_preparation_begin() { begin_stage("preparation"); }
+  void on_preparation_end() { end_stage(); }
+  void on_tips_begin() { begin_stage("tips"); }
+  void on_tips_end() { end_stage(); }
+  void on_borders_begin() { begin_stage("borders"); }
+  void on_borders_end() { end_stage(); }
+  void on_labels_begin() { begin_stage("labels"); }
+  void on_labels_end() { end_stage(); }
 
-  bool go_further() override
+  bool go_further()
   {
     ++m_number_of_questions;
     end_gap();

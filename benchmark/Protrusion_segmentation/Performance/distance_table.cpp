@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/Heat_distance.h>
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/protrusion_segmentation.h>
 #include <CGAL/subdivision_method_3.h>
 
@@ -47,12 +48,6 @@ public:
   }
 };
 
-struct Run_counter : PS::Segmentation_visitor<Mesh>
-{
-  std::size_t runs = 0;
-  void on_distances(std::size_t number_of_runs) override { runs += number_of_runs; }
-};
-
 struct Measurement
 {
   double seconds;
@@ -63,17 +58,16 @@ template <typename Distance>
 Measurement measure(const Model& model, const Distance& distance, std::size_t repetitions)
 {
   Labels labels(model.mesh.number_of_faces());
-  Run_counter counter;
+  PS::Segmentation_record<Mesh> record;
   const double seconds =
     seconds_of(repetitions,
                [&]
                {
-                 counter.runs = 0;
                  CGAL::segmentation_via_protrusion_tips(
                    model.mesh, CGAL::make_property_map(labels), model.number_of_segments,
-                   PS::Histogram_method(distance), CGAL::parameters::visitor(std::ref(counter)));
+                   PS::Histogram_method(distance), CGAL::parameters::visitor(std::ref(record)));
                });
-  return {seconds, counter.runs};
+  return {seconds, record.number_of_runs()};
 }
 
 // A line of the table: a distance, and the seconds that the paper gives for it.

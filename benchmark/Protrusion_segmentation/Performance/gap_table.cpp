@@ -9,6 +9,7 @@
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Heat_distance.h>
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/protrusion_segmentation.h>
 #include <CGAL/subdivision_method_3.h>
 
@@ -29,11 +30,18 @@ void print_row(const Markdown_table& table,
 {
   Labels labels(model.mesh.number_of_faces());
   Stopwatch_visitor stopwatch(options.gap_limit);
-  const std::size_t number_of_segments =
+  bool is_stopped = false;
+  try
+  {
     CGAL::segmentation_via_protrusion_tips(model.mesh, CGAL::make_property_map(labels), model.number_of_segments,
                                            method, CGAL::parameters::visitor(std::ref(stopwatch)));
+  }
+  catch (const PS::Segmentation_stopped&)
+  {
+    is_stopped = true;
+  }
   stopwatch.end();
-  table.row({name, (number_of_segments == 0 ? "stopped after " : "") + number(stopwatch.seconds()),
+  table.row({name, (is_stopped ? "stopped after " : "") + number(stopwatch.seconds()),
              std::to_string(stopwatch.number_of_questions()), number(stopwatch.longest_gap()),
              stopwatch.stage_of_longest_gap()});
 }

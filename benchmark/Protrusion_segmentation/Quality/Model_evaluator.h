@@ -3,7 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Scores of segmentations of one model against those of humans. The same values as
-// `CGAL::segmentation_metrics()`, but for the Rand index error, which is the one of the benchmark's program.
+// `CGAL::Protrusion_segmentation::segmentation_metrics()`, but for the Rand index error, which is the one of the benchmark's program.
 // What depends on a single segmentation is computed once, not for each pair: a model has a dozen human
 // segmentations, and humans are compared to each other.
 

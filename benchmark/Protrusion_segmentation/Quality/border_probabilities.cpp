@@ -32,13 +32,6 @@ namespace {
 
 using Protrusion = CGAL::Protrusion_segmentation::Protrusion<Face>;
 
-struct Protrusion_keeper : CGAL::Protrusion_segmentation::Segmentation_visitor<Mesh>
-{
-  void on_protrusion(const Protrusion& protrusion) override { protrusions.push_back(protrusion); }
-
-  std::vector<Protrusion> protrusions;
-};
-
 struct Border
 {
   int model;
@@ -82,14 +75,14 @@ double share_apart(const Labels& labels, std::size_t s, std::size_t t, const Lab
 void add_borders(const Model& model, bool with_number, Borders& borders)
 {
   Labels labels(model.mesh.number_of_faces());
-  Protrusion_keeper keeper;
+  CGAL::Protrusion_segmentation::Segmentation_record<Mesh> record;
   const auto map = CGAL::make_property_map(labels);
-  const auto visitor = CGAL::parameters::visitor(std::ref(keeper));
+  const auto visitor = CGAL::parameters::visitor(std::ref(record));
   if (with_number)
     CGAL::segmentation_via_protrusion_tips(model.mesh, map, model.number_of_segments, visitor);
   else
     CGAL::segmentation_via_protrusion_tips(model.mesh, map, visitor);
-  for (const Protrusion& protrusion : keeper.protrusions)
+  for (const Protrusion& protrusion : record.protrusions())
   {
     double apart = 0;
     for (const Labels& human : model.humans)

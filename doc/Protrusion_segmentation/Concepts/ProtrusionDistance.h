@@ -36,8 +36,9 @@ public:
                  have no area. The surface may have borders, and may touch itself in vertices.
   \param execution outlives the result. All that is random is to depend on its random seed alone: equal seeds
                    give equal distances. What takes longer than a fraction of a second is to call its function
-                   `check()` from time to time, which throws if the visitor wants to stop; the
-                   exception must be let through. A model may use several threads if it says so.
+                   `check()` from time to time, which throws
+                   `CGAL::Protrusion_segmentation::Segmentation_stopped` if the visitor stops the call; a model must
+                   let it pass. A model may use several threads if it says so.
 
   \return the distances on `surface`
   */

@@ -21,7 +21,7 @@ namespace IO {
 /*!
 \ingroup PkgProtrusionSegmentationIO
 
-reads the segment ids of the faces of `mesh` from a stream, up to its end.
+reads the segment ids of the faces of `pmesh` from a stream, up to its end.
 
 \tparam FaceGraph a model of `FaceListGraph`
 \tparam SegmentIdMap a model of `WritablePropertyMap` with
@@ -30,7 +30,7 @@ reads the segment ids of the faces of `mesh` from a stream, up to its end.
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
 \param is the input stream
-\param mesh the mesh
+\param pmesh the mesh
 \param segment_ids is filled with the segment ids, from 0 to the largest number of its value type
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" among the ones listed below
 
@@ -48,19 +48,17 @@ reads the segment ids of the faces of `mesh` from a stream, up to its end.
 
 Complexity: linear in the length of the input.
 */
-template <typename FaceGraph,
-          typename SegmentIdMap,
-          typename NamedParameters = parameters::Default_named_parameters>
+template <typename FaceGraph, typename SegmentIdMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool read_SEG(std::istream& is,
-              const FaceGraph& mesh,
+              const FaceGraph& pmesh,
               SegmentIdMap segment_ids,
-              const NamedParameters& np = parameters::default_values())
+              const CGAL_NP_CLASS& np = parameters::default_values())
 {
   namespace internal = Protrusion_segmentation::internal;
 
   if constexpr (internal::Check_writable_segment_ids<FaceGraph, SegmentIdMap>::value)
   {
-    const std::string problem = internal::read_segments(is, mesh, segment_ids);
+    const std::string problem = internal::read_segments(is, pmesh, segment_ids);
     internal::report_problem(
       "cannot read the segmentation", problem,
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::verbose), false));
@@ -73,26 +71,24 @@ bool read_SEG(std::istream& is,
 /*!
 \ingroup PkgProtrusionSegmentationIO
 
-reads the segment ids of the faces of `mesh` from a file.
+reads the segment ids of the faces of `pmesh` from a file.
 
 \param fname the name of the file
-\param mesh, segment_ids, np as for the function for streams
+\param pmesh, segment_ids, np as for the function for streams
 
 \return as for the function for streams; `false` also if the file cannot be opened
 */
-template <typename FaceGraph,
-          typename SegmentIdMap,
-          typename NamedParameters = parameters::Default_named_parameters>
+template <typename FaceGraph, typename SegmentIdMap, typename CGAL_NP_TEMPLATE_PARAMETERS>
 bool read_SEG(const std::string& fname,
-              const FaceGraph& mesh,
+              const FaceGraph& pmesh,
               SegmentIdMap segment_ids,
-              const NamedParameters& np = parameters::default_values())
+              const CGAL_NP_CLASS& np = parameters::default_values())
 {
   namespace internal = Protrusion_segmentation::internal;
 
   if constexpr (internal::Check_writable_segment_ids<FaceGraph, SegmentIdMap>::value)
   {
-    const std::string problem = internal::read_segments(fname, mesh, segment_ids);
+    const std::string problem = internal::read_segments(fname, pmesh, segment_ids);
     internal::report_problem(
       "cannot read " + fname, problem,
       parameters::choose_parameter(parameters::get_parameter(np, internal_np::verbose), false));
@@ -105,7 +101,7 @@ bool read_SEG(const std::string& fname,
 /*!
 \ingroup PkgProtrusionSegmentationIO
 
-writes the segment ids of the faces of `mesh` to a stream.
+writes the segment ids of the faces of `pmesh` to a stream.
 
 \tparam FaceGraph a model of `FaceListGraph`
 \tparam SegmentIdMap a model of `ReadablePropertyMap` with
@@ -113,7 +109,7 @@ writes the segment ids of the faces of `mesh` to a stream.
                      value type
 
 \param os the output stream
-\param mesh the mesh
+\param pmesh the mesh
 \param segment_ids the segment ids, none negative
 
 \return `true` if everything was written; `false` if the stream failed, or, then with nothing written, if an id
@@ -122,14 +118,15 @@ writes the segment ids of the faces of `mesh` to a stream.
 Complexity: linear in the number of faces.
 */
 template <typename FaceGraph, typename SegmentIdMap>
-bool write_SEG(std::ostream& os, const FaceGraph& mesh, const SegmentIdMap& segment_ids)
+bool write_SEG(std::ostream& os, const FaceGraph& pmesh, const SegmentIdMap& segment_ids)
 {
-  if constexpr (Protrusion_segmentation::internal::Check_readable_segment_ids<FaceGraph, SegmentIdMap>::value)
+  if constexpr (Protrusion_segmentation::internal::Check_readable_segment_ids<FaceGraph,
+                                                                              SegmentIdMap>::value)
   {
-    for (const auto f : faces(mesh))
+    for (const auto f : faces(pmesh))
       if (get(segment_ids, f) < 0)
         return false;
-    for (const auto f : faces(mesh))
+    for (const auto f : faces(pmesh))
       os << std::to_string(get(segment_ids, f)) << '\n';
     return os.good();
   }
@@ -140,18 +137,18 @@ bool write_SEG(std::ostream& os, const FaceGraph& mesh, const SegmentIdMap& segm
 /*!
 \ingroup PkgProtrusionSegmentationIO
 
-writes the segment ids of the faces of `mesh` to a file.
+writes the segment ids of the faces of `pmesh` to a file.
 
 \param fname the name of the file
-\param mesh, segment_ids as for the function for streams
+\param pmesh, segment_ids as for the function for streams
 
 \return as for the function for streams; `false` also if the file cannot be opened
 */
 template <typename FaceGraph, typename SegmentIdMap>
-bool write_SEG(const std::string& fname, const FaceGraph& mesh, const SegmentIdMap& segment_ids)
+bool write_SEG(const std::string& fname, const FaceGraph& pmesh, const SegmentIdMap& segment_ids)
 {
   std::ofstream os(fname, std::ios::binary); // lines end alike everywhere
-  const bool is_written = write_SEG(os, mesh, segment_ids);
+  const bool is_written = write_SEG(os, pmesh, segment_ids);
   os.close();
   return is_written && !os.fail();
 }

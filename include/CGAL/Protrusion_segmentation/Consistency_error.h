@@ -11,7 +11,7 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationMetrics
 
-The result of `CGAL::segmentation_consistency_error()`: means over the faces, each in [0, 1), 0 if
+The result of `segmentation_consistency_error()`: means over the faces, each in [0, 1), 0 if
 default-constructed. Smaller is better.
 */
 struct Consistency_error

@@ -29,9 +29,8 @@ The diffusion distance DD of Section III.B.1 of the paper: two random walks star
 is how differently they are distributed after some time.
 
 The walk leaves a face over an edge with a weight of the edge's length divided by the distance of the two
-centroids, and stays with a weight of 50 times the area of the face, the mean area of all faces being 1. So
-it spreads as heat does, alike where faces are small and where they are large, whatever the scale of the
-mesh. Let \f$W\f$ be the symmetric matrix of these weights, \f$D\f$ the diagonal matrix of its row sums
+centroids. It stays with a weight of 50 times the area of the face, where the mean area of all faces is 1. So
+it spreads as heat does, independently of the sizes of the faces and of the scale of the mesh. Let \f$W\f$ be the symmetric matrix of these weights, \f$D\f$ the diagonal matrix of its row sums
 \f$d_i\f$, \f$P = D^{-1} W\f$, and \f$p_t(i, z)\f$ the entry of \f$P^t\f$ in row \f$i\f$ and column \f$z\f$. The squared
 distance after \f$t\f$ steps is
 
@@ -42,8 +41,8 @@ eigenvectors of \f$P\f$, with a mean square of 1 under the stationary distributi
 left out. The first few terms of the right sum make up the distance. All terms of an eigenvalue are taken or none, since
 single eigenvectors of a multiple eigenvalue are not determined.
 
-The number of steps is measured by the time in which the slowest term decays, \f$1 / \ln(1 / \lambda_1)\f$
-steps, since a number that fits a mesh is far too small for the same shape with more faces.
+The unit of the number of steps is the time in which the slowest term decays, \f$1 / \ln(1 / \lambda_1)\f$
+steps. So the distance hardly depends on the number of faces of a shape.
 
 Preparing the distances on a surface costs one sparse factorization and some dozen solutions with it, about linear
 time in practice; then the distances from a face take linear time per eigenpair. The memory is about 30
@@ -91,13 +90,11 @@ public:
     std::size_t m_number_of_runs = 0;
   };
 
-  /// \return 300: terms beyond are no larger than the solver's errors, and time and memory would grow with their
-  /// number's square
+  /// \return 300: further terms are no larger than the errors of the solver
   static constexpr std::size_t maximum_number_of_eigenpairs() { return 300; }
-  /// \return 10: DD(10), the larger of the numbers in the paper's Table I; 5 are a little worse
+  /// \return 10, the larger of the numbers in Table I of the paper, DD(10)
   static constexpr std::size_t default_number_of_eigenpairs() { return 10; }
-  /// \return 0.5, where the paper's method has the least Rand index error on development models of the Princeton benchmark:
-  /// .28 at time 0, .22 at 0.3, .19 at 0.45 and 0.6, .24 at 1
+  /// \return 0.5, which has the least Rand index error on the development models of the Princeton benchmark
   static constexpr double default_time() { return 0.5; }
 
   /// `number_of_eigenpairs` terms after `time` relaxation times of the random walk: \f$t\f$ = `time` /
@@ -110,12 +107,9 @@ public:
                               double time = default_time())
     : m_number_of_eigenpairs(number_of_eigenpairs), m_time(time)
   {
-    if (number_of_eigenpairs == 0)
-      throw std::invalid_argument("Diffusion_distance: number_of_eigenpairs is 0");
-    if (number_of_eigenpairs > maximum_number_of_eigenpairs())
-      throw std::invalid_argument("Diffusion_distance: number_of_eigenpairs is " +
-                                  std::to_string(number_of_eigenpairs) + ", but at most " +
-                                  std::to_string(maximum_number_of_eigenpairs()) + " are computed");
+    if (number_of_eigenpairs == 0 || number_of_eigenpairs > maximum_number_of_eigenpairs())
+      throw std::invalid_argument("Diffusion_distance: number_of_eigenpairs is " + std::to_string(number_of_eigenpairs) +
+                                  ", but it must be from 1 to " + std::to_string(maximum_number_of_eigenpairs()));
     if (!(time >= 0 && std::isfinite(time)))
       throw std::invalid_argument("Diffusion_distance: time is negative or not finite");
   }
@@ -138,7 +132,7 @@ private:
 } // namespace Protrusion_segmentation
 } // namespace CGAL
 
-#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
+#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES)
 
 #include <CGAL/Protrusion_segmentation/internal/Distances/diffusion_map.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>

@@ -5,6 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_EXECUTION_H
 #define CGAL_PROTRUSION_SEGMENTATION_EXECUTION_H
 
+#include <CGAL/Protrusion_segmentation/Segmentation_stopped.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/Observer.h>
 
 #include <CGAL/assertions.h>
@@ -39,24 +40,25 @@ public:
   /// \return whether several threads may be used, by oneTBB
   bool is_parallel() const { return m_is_parallel; }
 
-  /// asks the visitor whether to go on. To be called several times a second, from any thread. If the visitor stops the
-  /// call of the package, an exception of no documented type is thrown, which must be let through.
+  /// asks the visitor whether to go on. To be called several times a second, from any thread.
+  /// \throw Segmentation_stopped if the visitor stops the call of the package; distances must let it pass
   void check()
   {
     if (!is_own_thread()) // visitors are asked from the thread of the call only
     {
       if (m_is_cancelled)
-        throw internal::Cancelled();
+        throw Segmentation_stopped();
     }
     else if (!m_observer.go_further())
     {
       m_is_cancelled = true;
-      throw internal::Cancelled();
+      throw Segmentation_stopped();
     }
   }
 
   /// tells how much is done of the work that was begun last, such as the preparation of a distance, and calls `check()`.
   /// \param share from 0 to 1
+  /// \throw Segmentation_stopped as `check()`
   void progress(double share)
   {
     if (is_own_thread())

@@ -25,10 +25,9 @@ namespace Protrusion_segmentation {
 
 The geodesic distance GD of Section III.B.2: the length of the shortest path in the face dual graph.
 
-The face of eq. (1) is found exactly, with a search that computes the shortest paths of a handful of faces
-in place of all: upper bounds of the sums rule the others out. One computation takes linear time in
-practice. The flatter the sums, the more are needed: 5 to 20 where there are protrusions, up to 100 for
-round bodies of some ten thousand faces, 800 for a sphere of eighty thousand, where they are limited.
+The face of eq. (1) is found exactly. Upper bounds of the sums of distances rule out most faces, so that few shortest path
+computations are needed: 5 to 20 for surfaces with protrusions, and hundreds for round ones, for which their number is
+limited. One computation takes linear time in practice.
 
 \cgalModels{ProtrusionDistance}
 */
@@ -89,17 +88,15 @@ public:
     Execution& m_execution;
     internal::Shortest_distances m_shortest_distances;
     std::size_t m_number_of_runs_of_copies = 0;
-    // who asks for the face of eq. (1) asks for its distances next
+    // the distances of the face of eq. (1) are asked for next
     Indexed_surface::Index m_kept_source = 0;
     std::vector<double> m_kept;
   };
 
-  /// \return the number of faces whose shortest paths the search for the face of eq. (1) may compute before
-  /// it settles for the best of them, above 0. Default: none, which stands for twenty million divided by the
-  /// number of faces of the surface, but at least 100. It limits the time on large round bodies, where nearly
-  /// all sums are alike; no part of the models of the Princeton benchmark comes near it. After 100 visits on
-  /// spheres and tori, smooth ones and bumpy ones, of up to a million faces no other face can do better by more
-  /// than 5 %, and none that was found by up to seven times as many visits does so by more than 0.05 %.
+  /// \return the largest number of faces from which the search for the face of eq. (1) computes shortest paths, above
+  ///         0. Then it takes the best face so far. Default: no value, which means twenty million divided by the number
+  ///         of faces of the surface, but at least 100. Only large round surfaces reach it; on spheres and tori of up to a
+  ///         million faces, the sum of the face that was taken is within 5 % of the largest.
   std::optional<std::size_t> maximum_number_of_visits() const { return m_maximum_number_of_visits; }
   /// sets the number of faces that the search for the face of eq. (1) may visit.
   /// \param value the number, above 0; the number of faces makes the search exact on every surface
@@ -108,7 +105,7 @@ public:
   Geodesic_distance& maximum_number_of_visits(std::size_t value)
   {
     if (value == 0)
-      throw std::invalid_argument("Geodesic_distance: maximum_number_of_visits is 0");
+      throw std::invalid_argument("Geodesic_distance: maximum_number_of_visits is 0, but it must be at least 1");
     m_maximum_number_of_visits = value;
     return *this;
   }

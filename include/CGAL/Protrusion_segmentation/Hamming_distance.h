@@ -11,7 +11,7 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationMetrics
 
-The result of `CGAL::segmentation_hamming_distance()`: fractions of the area of the mesh, each in [0, 1), 0 if
+The result of `segmentation_hamming_distance()`: fractions of the area of the mesh, each in [0, 1), 0 if
 default-constructed. Smaller is better.
 */
 struct Hamming_distance

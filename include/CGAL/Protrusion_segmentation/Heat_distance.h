@@ -116,7 +116,7 @@ public:
 } // namespace Protrusion_segmentation
 } // namespace CGAL
 
-#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
+#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES)
 
 #include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
 

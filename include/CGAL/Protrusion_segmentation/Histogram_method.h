@@ -25,20 +25,20 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationMethods
 
-The method of the paper: borders by two histograms, Section III.D, in its overall flow, Section III.A.
+The method of the paper, which `protrusion_segmentation.h` does not include: borders from two histograms (Section III.D), in the order of steps of Section III.A.
 
 From a protrusion tip to the farthest face, the distances are divided into 100 slots. The number of faces
 in each slot is the distance histogram, the diameter of the surface's section in each slot the
 sectional-diameter histogram. The border lies where the diameter grows most, if the distance histogram
-changes there too. Tips without such a border are dropped. As long as there are too few segments, tips are
-selected anew in the segment of largest area.
+changes there, too. Tips without such a border are dropped. As long as there are too few segments, new tips are
+selected in the segment of the largest area.
 
 The side of the tip is the protrusion. From given tips, a border lies no farther than the nearest other tip. Where
 fewer than six tips are given on a connected component, further ones are selected by eq. (2). They limit the protrusions
 of the given tips and get no segments of their own.
 
-Complexity: for every segment that is searched, the tips' distance computations, and for every tip up to 100 plane
-sections, each linear in the number of faces that it cuts: those before the nearest other tip.
+Complexity: the distance computations of the tips of every segment that is searched, and for every tip up to 100 plane
+sections, each linear in the number of faces that it cuts.
 */
 class Histogram_method
 {
@@ -60,8 +60,8 @@ public:
   /// @{
 
   /// \return the least prominence of a border: the natural logarithm of the ratio of the diameters behind
-  ///         and at the border. Above 0, default 0.4: a sphere has 0.33. If k segments were asked for and not found, it is
-  ///         halved again and again.
+  ///         and at the border. Above 0, without a unit, default 0.4; a sphere has 0.33. If fewer segments than asked for are found,
+  ///         it is halved until there are enough.
   double minimum_prominence() const { return m_minimum_prominence; }
   /// \param value above 0
   /// \return `*this`
@@ -108,7 +108,7 @@ private:
 } // namespace Protrusion_segmentation
 } // namespace CGAL
 
-#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
+#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED)
 
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/Histogram_segmentation.h>

@@ -10,17 +10,16 @@
 
 #include <CGAL/Simple_cartesian.h>
 
-// Before the graph, which would hide the `get()` of property maps from it, also in programs of users.
-#include <boost/property_map/property_map.hpp>
-#include <boost/pending/disjoint_sets.hpp>
-
 #include <boost/graph/compressed_sparse_row_graph.hpp>
-#include <boost/range/iterator_range.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -30,7 +29,7 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-A surface, or a piece of one, as index arrays: what distances and border methods work on.
+A surface, or a piece of one, as index arrays. Distances and methods work on it.
 
 The faces of a part are numbered from 0, so are its vertices and the corners of its faces: the corners
 of face `f` are `first_corner(f)` to `first_corner(f + 1) - 1`, in the orientation of the mesh. The edge
@@ -41,9 +40,9 @@ for every edge that two different faces share. The length of an arc is the dista
 centroids of the two faces.
 
 The coordinates are those of the input mesh, moved and scaled so that the whole surface fits into
-\f$[-1, 1]^3\f$: neither tiny nor huge coordinates can under- or overflow. A connected surface is turned, too, and
-mirrored where needed, so that they are the same however the mesh lies: the origin is its center of gravity, the
-axes are those of inertia, and coordinates are rounded to multiples of \f$2^{-30}\f$.
+\f$[-1, 1]^3\f$: neither tiny nor huge coordinates can under- or overflow. A connected surface is also rotated, and
+mirrored where needed, so that the coordinates do not depend on the position of the mesh: the origin is its center of
+gravity, the axes are those of inertia, and coordinates are rounded to multiples of \f$2^{-30}\f$.
 
 The memory is about 50 bytes per triangle.
 */
@@ -66,23 +65,30 @@ public:
   using Dual_graph = boost::compressed_sparse_row_graph<boost::directedS, boost::no_property, Arc,
                                                         boost::no_property, Index, Index>;
 
-  /// \return what stands for the face beyond a border edge
+  /// \return the number in the place of the face beyond a border edge
   static constexpr Index no_face() { return (std::numeric_limits<Index>::max)(); }
 
   Indexed_surface() = default;
 
   /// makes a surface from its arrays, in linear time.
   /// \param points the points of the vertices
-  /// \param corner_begin the first corner of every face, and the number of corners at the end
+  /// \param corner_begin the first corner of every face, ascending from 0, and the number of corners at the end. Every
+  ///        face has at least one corner.
   /// \param corner_vertices the vertex of every corner
   /// \param corner_neighbors for each corner the face beyond its edge, or `no_face()`
+  /// \throw std::invalid_argument if the arrays do not fit together, or if an index is too large
   Indexed_surface(std::vector<Point_3> points,
-               std::vector<Index> corner_begin,
-               std::vector<Index> corner_vertices,
-               std::vector<Index> corner_neighbors)
-    : Indexed_surface(std::move(points), std::move(corner_begin), std::move(corner_vertices),
-                      std::move(corner_neighbors), false)
-  {}
+                  std::vector<Index> corner_begin,
+                  std::vector<Index> corner_vertices,
+                  std::vector<Index> corner_neighbors)
+    : m_points(std::move(points)),
+      m_corner_begin(std::move(corner_begin)),
+      m_corner_vertices(std::move(corner_vertices)),
+      m_corner_neighbors(std::move(corner_neighbors))
+  {
+    check_arrays();
+    measure_faces(false);
+  }
 
 #ifndef DOXYGEN_RUNNING
   Indexed_surface(std::vector<Point_3> points,
@@ -194,6 +200,23 @@ public:
 
 private:
   using Corners = internal::Corners_of_face<Indexed_surface>;
+
+  void check_arrays() const
+  {
+    const std::vector<Index>& begin = m_corner_begin;
+    if (begin.empty() || begin.front() != 0 || begin.back() != m_corner_vertices.size())
+      throw std::invalid_argument("corner_begin: it does not begin with 0 and end with the number of corners");
+    if (std::adjacent_find(begin.begin(), begin.end(), std::greater_equal<Index>()) != begin.end())
+      throw std::invalid_argument("corner_begin: a face has no corner");
+    if (m_corner_neighbors.size() != m_corner_vertices.size())
+      throw std::invalid_argument("corner_neighbors: its size is not the number of corners");
+    for (const Index v : m_corner_vertices)
+      if (v >= m_points.size())
+        throw std::invalid_argument("corner_vertices: there is no vertex " + std::to_string(v));
+    for (const Index f : m_corner_neighbors)
+      if (f != no_face() && f >= begin.size() - 1)
+        throw std::invalid_argument("corner_neighbors: there is no face " + std::to_string(f));
+  }
 
   void measure_face(Index f)
   {

@@ -23,40 +23,36 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationMethods
 
-The default method: borders along concave seams.
+The default method: borders are minimum cuts along concave seams.
 
-A cut costs its length, little where it runs along a concave seam. Candidates are those level sets of the
-distances from protrusion tips that cost least for the area that they cut off, and regions that hang together more than
-with what is around, as the fin of a fish, which is no level set. Where the minimum cut in a band
-around a candidate is better, it takes its place. The value of a cut is estimated from a dozen clues: how much of it
-lies in a concave seam, its length, how suddenly the surface widens behind it, how round it is and others, and from
-the areas on both sides. The cuts are chosen together: the three best sets of cuts are kept while segments are added,
-each tried with its four best further cuts, and the set with the largest sum of values wins. Without a number of
-segments, the largest drop of what one more brings ends them, between cuts that are surely evident and cuts that are
-not, and hills, scales and pockets, which face one way as a whole, hardly count. In the end, the borders between all
-neighboring segments become minimum cuts once more, on the faces.
+The cost of a cut is its length, reduced where it runs along a concave seam. There are two kinds of candidates: level sets of
+the distances from protrusion tips, and regions that are better connected inside than to their surroundings, such as
+the fin of a fish. A candidate is replaced by the minimum cut in a band around it if that is better. Clues give the evidence
+for a cut: the share of its length in a concave seam, its length, how suddenly the surface widens behind it, and others.
+The evidence and the areas of both sides give the value of the cut. A beam search chooses the cuts: it keeps the best sets of
+cuts, adds the best further cuts to each, and takes the set with the largest sum of values. In the end, the borders between
+neighboring segments become minimum cuts on the faces.
+
+If no number of segments is given, segmentation stops at the largest drop in the gain of a further cut. Hills, scales and
+pockets, which face in one direction as a whole, hardly count.
 
 A flat component, whose faces all have the same normal, is segmented by its outline.
 
-Every connected component is judged by itself, in its own unit of length; with a number of segments given, each
-further segment goes to the component where it brings most.
+Every connected component is segmented by itself, in its own unit of length. If a number of segments is given, each
+further segment goes to the component where it gains most.
 
-From given tips, each cuts off the protrusion with the best border that has this tip, no other one, and no more than
-half of the component's area. Where fewer than six tips are given on a component, further ones are selected as far as
+From given tips, each cuts off the protrusion with the best border around this tip and no other one, with no more than
+half of the area of the component. If there are fewer than six tips on a component, further ones are selected as far as
 possible from all others. They limit the protrusions of the given tips and get no segments of their own.
 
-Cuts are searched on a coarse graph of some two thousand nodes, so that the time for a cut hardly depends on
-the number of faces. By default tips and level sets are those of a distance that the method measures on that graph,
-where ways across concave seams are longer than they are on the surface. With a distance of choice, they are those
-of the distance on the faces. Segments of less than 0.25 % of the area of a component are not cut off: with a large
-number of segments there may be fewer than asked for.
+By default, tips and level sets come from a distance that the method measures on its coarse graph, in which paths across
+concave seams are longer than on the surface. With a distance of choice, they come from that distance on the faces.
+Segments of less than 0.25 % of the area of a component are not cut off: a component has at most 400 segments.
 
-With `CGAL::Parallel_tag`, segments are searched for cuts by several threads, if the distance is the method's own; the
-labels are the same.
+With `CGAL::Parallel_tag`, several threads search for cuts if the distance is the method's own; the labels are the same.
 
-Complexity: linear in the number of faces. Normals are averaged on groups of faces where these are small, and of all that
-is searched on the coarse graph, the time does not depend on the number of faces. From given tips, each takes a minimum cut
-of the coarse graph: with hundreds of tips they take longer than all else.
+Complexity: linear in the number of faces. Cuts are searched on a coarse graph of about two thousand nodes, so that the time
+of the search does not depend on the number of faces. Each given tip takes a minimum cut of the coarse graph.
 */
 class Minimum_cut_method
 {
@@ -90,7 +86,7 @@ private:
 } // namespace Protrusion_segmentation
 } // namespace CGAL
 
-#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS)
+#if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED)
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_segmentation.h>
 

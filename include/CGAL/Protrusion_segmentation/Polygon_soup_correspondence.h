@@ -19,7 +19,7 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-The result of `CGAL::polygon_soup_to_manifold_mesh()`: which polygon became which face, which point became which
+The result of `polygon_soup_to_manifold_mesh()`: which polygon became which face, which point became which
 vertex, and what had to be repaired. Polygons and points are numbered in the order of their ranges, from 0.
 
 \tparam FaceGraph the type of the mesh

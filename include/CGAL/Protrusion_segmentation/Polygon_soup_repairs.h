@@ -13,7 +13,7 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationRef
 
-What `CGAL::polygon_soup_to_manifold_mesh()` had to do so that polygons make up a surface.
+What `polygon_soup_to_manifold_mesh()` had to do so that polygons make up a surface.
 */
 struct Polygon_soup_repairs
 {

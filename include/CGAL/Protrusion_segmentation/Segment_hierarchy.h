@@ -11,8 +11,10 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
+#include <iterator>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,16 +27,16 @@ namespace Protrusion_segmentation {
 The nested protrusions of a surface (Figure 1 of the paper) as a tree, and with it the segmentations for every
 number of segments.
 
-The bodies of the connected components have the first numbers, one each, the largest component 0. The other segments
-are protrusions, in the order in which their borders were chosen; each sticks out of its parent. The segmentation with one segment less is
-found by joining the last segment to its parent; what stuck out of it then sticks out of the parent.
+The bodies of the connected components have the first numbers, one each; that of the largest component has the number 0. The
+other segments are protrusions, in the order in which their borders were chosen; each sticks out of its parent. The
+segmentation with one segment less joins the last segment to its parent, which becomes the parent of what stuck out of it.
 
 An object of this class is made by `CGAL::protrusion_hierarchy()` and keeps no reference to the mesh.
 */
 class Segment_hierarchy
 {
 public:
-  /// \return the number of connected components of the mesh that are no specks, the least number of segments
+  /// \return the number of connected components of the mesh that are not small, the least number of segments
   std::size_t minimum_number_of_segments() const { return m_number_of_components; }
 
   /// \return the largest number of segments
@@ -53,24 +55,29 @@ public:
   \tparam SegmentMap a model of `WritablePropertyMap` with
                      `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and an integer type as
                      value type that is wide enough for the ids
-  \param tmesh the mesh for which the hierarchy was made, with the same faces in the same order
+  \param pmesh the mesh for which the hierarchy was made, with the same faces in the same order
   \param number_of_segments from `minimum_number_of_segments()` to `maximum_number_of_segments()`
   \param segment_ids the segment of every face, from 0 to `number_of_segments` - 1
-  \throw std::invalid_argument if `number_of_segments` is out of range, `tmesh` has another number of faces, or the value
+  \throw std::invalid_argument if `number_of_segments` is out of range, `pmesh` has another number of faces, or the value
          type of `segment_ids` is too narrow
   */
   template <typename FaceGraph, typename SegmentMap>
-  void segment_ids(const FaceGraph& tmesh, std::size_t number_of_segments, SegmentMap segment_ids) const
+  void segment_ids(const FaceGraph& pmesh, std::size_t number_of_segments, SegmentMap segment_ids) const
   {
-    const std::vector<Index> ancestors = ancestors_below(number_of_segments);
-    if (static_cast<std::size_t>(std::distance(faces(tmesh).begin(), faces(tmesh).end())) !=
-        m_labels.size())
-      throw std::invalid_argument("tmesh is not the mesh of the hierarchy: it has another number of faces");
-    std::vector<Index> labels;
-    labels.reserve(m_labels.size());
-    for (Index label : m_labels)
-      labels.push_back(ancestors[label]);
-    internal::write_segments(tmesh, labels, segment_ids);
+    if constexpr (std::conjunction_v<internal::Check_mesh<FaceGraph>,
+                                     internal::Check_segment_map<FaceGraph, SegmentMap>>)
+    {
+      const std::vector<Index> ancestors = ancestors_below(number_of_segments);
+      const auto number_of_faces = static_cast<std::size_t>(std::distance(faces(pmesh).begin(), faces(pmesh).end()));
+      if (number_of_faces != m_labels.size())
+        throw std::invalid_argument("pmesh has " + std::to_string(number_of_faces) +
+                                    " faces, but the mesh of the hierarchy has " + std::to_string(m_labels.size()));
+      std::vector<Index> labels;
+      labels.reserve(m_labels.size());
+      for (Index label : m_labels)
+        labels.push_back(ancestors[label]);
+      internal::write_segments(pmesh, labels, segment_ids);
+    }
   }
 
 #ifndef DOXYGEN_RUNNING

@@ -16,19 +16,19 @@ namespace Protrusion_segmentation {
 /*!
 \ingroup PkgProtrusionSegmentationMetrics
 
-The result of `CGAL::segmentation_metrics()`: all metrics of a segmentation against a reference. Smaller is
+The result of `segmentation_metrics()`: all metrics of a segmentation against a reference. Smaller is
 better in each of them.
 */
 struct Segmentation_metrics
 {
-  /// see `CGAL::segmentation_rand_index_error()`; in [0, 1], default 0
+  /// see `segmentation_rand_index_error()`; in [0, 1], default 0
   double rand_index_error = 0;
-  /// see `CGAL::segmentation_hamming_distance()`
+  /// see `segmentation_hamming_distance()`
   Hamming_distance hamming_distance;
-  /// see `CGAL::segmentation_cut_discrepancy()`; in average radii and not negative, or without a value where it
+  /// see `segmentation_cut_discrepancy()`; in average radii and not negative, or without a value where it
   /// is undefined, as by default
   std::optional<double> cut_discrepancy;
-  /// see `CGAL::segmentation_consistency_error()`
+  /// see `segmentation_consistency_error()`
   Consistency_error consistency_error;
 };
 

@@ -14,6 +14,7 @@
 #include <utility>
 
 namespace CGAL {
+namespace Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
@@ -27,7 +28,7 @@ finds the borders between segments as lines of edges. The boundary of the mesh i
                        type of the points
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param tmesh the mesh. Faces may be any polygons; there may be boundaries and several components.
+\param pmesh the mesh. Faces may be any polygons; there may be boundaries and several components.
 \param segment_ids the segment of every face, from 0
 \param borders where the borders are written, sorted by their two segments
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters": `vertex_point_map` as for
@@ -35,22 +36,29 @@ finds the borders between segments as lines of edges. The boundary of the mesh i
 
 \return `borders`, advanced
 
-Complexity: linear in the number of edges; where many edges of a segment meet at one vertex, each goes around it.
+Throws nothing of its own.
+
+Complexity: linear in the number of edges, and in the sum of the squares of the numbers of border edges at a vertex.
 */
-template <typename FaceGraph, typename SegmentMap, typename OutputIterator, typename CGAL_NP_TEMPLATE_PARAMETERS>
-OutputIterator segment_borders(const FaceGraph& tmesh,
+template <typename FaceGraph,
+          typename SegmentMap,
+          typename OutputIterator,
+          typename CGAL_NP_TEMPLATE_PARAMETERS>
+OutputIterator segment_borders(const FaceGraph& pmesh,
                                SegmentMap segment_ids,
                                OutputIterator borders,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  const auto points = parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                                   get_const_property_map(CGAL::vertex_point, tmesh));
-  Protrusion_segmentation::internal::Segment_border_finder finder(tmesh, segment_ids, points);
+  const auto points = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::vertex_point),
+    get_const_property_map(CGAL::vertex_point, pmesh));
+  internal::Segment_border_finder finder(pmesh, segment_ids, points);
   for (auto& border : finder.find())
     *borders++ = std::move(border);
   return borders;
 }
 
+} // namespace Protrusion_segmentation
 } // namespace CGAL
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_SEGMENT_BORDERS_H

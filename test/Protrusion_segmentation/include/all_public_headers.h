@@ -6,7 +6,6 @@
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_ALL_PUBLIC_HEADERS_H
 
 #include <CGAL/IO/SEG.h>
-#include <CGAL/Protrusion_segmentation/Border_values.h>
 #include <CGAL/Protrusion_segmentation/Consistency_error.h>
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
@@ -24,6 +23,8 @@
 #include <CGAL/Protrusion_segmentation/Segment_border.h>
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_metrics.h>
+#include <CGAL/Protrusion_segmentation/Segmentation_record.h>
+#include <CGAL/Protrusion_segmentation/Segmentation_stopped.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
 #include <CGAL/Protrusion_segmentation/label_confidence.h>
 #include <CGAL/Protrusion_segmentation/polygon_soup_to_manifold_mesh.h>

@@ -160,6 +160,21 @@ void check_throws(Function function,
   report(problem.empty(), file, line, expression + " " + problem);
 }
 
+template <typename Exception, typename Function>
+void check_throws_as(Function function, const char* file, int line, const std::string& expression)
+{
+  bool throws = false;
+  try
+  {
+    function();
+  }
+  catch (const Exception&)
+  {
+    throws = true;
+  }
+  report(throws, file, line, expression + " does not throw");
+}
+
 // The closing line and the exit code of the program: 0 if all checks passed, else 1.
 inline int result()
 {
@@ -182,6 +197,10 @@ inline int result()
 
 // `CHECK_THROWS(expression, Exception)`: throws an `Exception` or a class derived from it.
 #define CHECK_THROWS(expression, Exception) CHECK_THROWS_WITH(expression, Exception, "")
+
+// The same for an exception that need not derive from `std::exception`.
+#define CHECK_THROWS_AS(expression, Exception)                                                           \
+  check::check_throws_as<Exception>([&]() { static_cast<void>(expression); }, __FILE__, __LINE__, #expression)
 
 // Also checks that the message contains `part_of_message`.
 #define CHECK_THROWS_WITH(expression, Exception, part_of_message)                                        \

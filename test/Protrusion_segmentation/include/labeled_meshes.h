@@ -49,8 +49,8 @@ private:
 template <typename FaceGraph>
 Metrics metrics_of(const FaceGraph& mesh, const Labels& segments, const Labels& reference)
 {
-  return CGAL::segmentation_metrics(mesh, Face_labels<FaceGraph>(mesh, segments).map(),
-                                    Face_labels<FaceGraph>(mesh, reference).map());
+  return CGAL::Protrusion_segmentation::segmentation_metrics(
+    mesh, Face_labels<FaceGraph>(mesh, segments).map(), Face_labels<FaceGraph>(mesh, reference).map());
 }
 
 // Squares of side 1 in a row from x = 0 on, numbered from left to right.

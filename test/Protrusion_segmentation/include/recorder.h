@@ -2,31 +2,27 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A visitor that keeps what it is told, and stops at a question of choice.
+// A record that keeps stages and shares, too, and stops at a question of choice.
 
 #ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_RECORDER_H
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_RECORDER_H
 
 #include "check.h"
 
-#include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
-
-#include <boost/graph/graph_traits.hpp>
+#include <CGAL/Protrusion_segmentation/Segmentation_record.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
 namespace test_meshes {
 
 template <typename FaceGraph>
-struct Recorder : CGAL::Protrusion_segmentation::Segmentation_visitor<FaceGraph>
+struct Recorder : CGAL::Protrusion_segmentation::Segmentation_record<FaceGraph>
 {
-  using face_descriptor = typename boost::graph_traits<FaceGraph>::face_descriptor;
-  using Protrusion = CGAL::Protrusion_segmentation::Protrusion<face_descriptor>;
+  using Record = CGAL::Protrusion_segmentation::Segmentation_record<FaceGraph>;
 
   void begin(const std::string& stage)
   {
@@ -38,32 +34,31 @@ struct Recorder : CGAL::Protrusion_segmentation::Segmentation_visitor<FaceGraph>
     CHECK(!open.empty() && open.back() == stage);
     open.pop_back();
   }
-  void on_reading_begin() override { begin("reading"); }
-  void on_reading_end() override { end("reading"); }
-  void on_preparation_begin() override { begin("preparation"); }
-  void on_preparation_end() override { end("preparation"); }
-  void on_tips_begin() override { begin("tips"); }
-  void on_tips_end() override { end("tips"); }
-  void on_borders_begin() override { begin("borders"); }
-  void on_borders_end() override { end("borders"); }
-  void on_labels_begin() override { begin("labels"); }
-  void on_labels_end() override { end("labels"); }
-  void on_progress(double share) override
+  void on_reading_begin()
+  {
+    Record::on_reading_begin();
+    begin("reading");
+  }
+  void on_reading_end() { end("reading"); }
+  void on_preparation_begin() { begin("preparation"); }
+  void on_preparation_end() { end("preparation"); }
+  void on_tips_begin() { begin("tips"); }
+  void on_tips_end() { end("tips"); }
+  void on_borders_begin() { begin("borders"); }
+  void on_borders_end() { end("borders"); }
+  void on_labels_begin() { begin("labels"); }
+  void on_labels_end() { end("labels"); }
+  void on_progress(double share)
   {
     CHECK(share >= 0 && share <= 1);
     shares.push_back(share);
   }
-  bool go_further() override { return ++questions != stop_at; }
-  void on_tip(face_descriptor face) override { tips.insert(face); }
-  void on_protrusion(const Protrusion& protrusion) override { protrusions.push_back(protrusion); }
-  void on_distances(std::size_t number_of_runs) override { runs += number_of_runs; }
+  bool go_further() { return ++questions != stop_at; }
 
   std::vector<std::string> open;
   std::map<std::string, int> stages;
   std::vector<double> shares;
-  std::size_t questions = 0, stop_at = 0, runs = 0;
-  std::set<face_descriptor> tips;
-  std::vector<Protrusion> protrusions;
+  std::size_t questions = 0, stop_at = 0;
 };
 
 // All stages, each within another one or beside it, and a share that never falls and ends at 1.

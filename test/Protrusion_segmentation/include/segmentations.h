@@ -12,6 +12,7 @@
 #include "test_mesh.h"
 #include "validation.h"
 
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/protrusion_segmentation.h>
 
 namespace test_meshes {

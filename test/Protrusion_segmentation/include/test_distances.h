@@ -11,6 +11,7 @@
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
 
+#include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/protrusion_segmentation.h>
 

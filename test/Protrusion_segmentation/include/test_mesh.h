@@ -12,7 +12,6 @@
 #include <CGAL/boost/graph/helpers.h>
 
 #include <boost/graph/graph_traits.hpp>
-#include <boost/pending/disjoint_sets.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
@@ -177,14 +176,18 @@ inline long euler_characteristic(const Test_mesh& mesh)
          static_cast<long>(mesh.faces.size());
 }
 
-// The number of pieces when faces hang together over common edges within the same part.
+// The number of connected pieces, where faces of the same part are connected over common edges.
 inline std::size_t number_of_pieces(const Test_mesh& mesh, const std::vector<std::size_t>& parts)
 {
-  std::vector<std::size_t> rank(mesh.faces.size()), parent(mesh.faces.size());
-  boost::disjoint_sets<std::size_t*, std::size_t*> pieces(rank.data(), parent.data());
+  std::vector<std::size_t> parent(mesh.faces.size());
+  std::iota(parent.begin(), parent.end(), std::size_t(0));
+  const auto root = [&](std::size_t f)
+  {
+    while (parent[f] != f)
+      f = parent[f] = parent[parent[f]];
+    return f;
+  };
   std::size_t number = mesh.faces.size();
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    pieces.make_set(f);
 
   std::map<Edge, std::size_t> face_of_edge;
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
@@ -194,9 +197,9 @@ inline std::size_t number_of_pieces(const Test_mesh& mesh, const std::vector<std
     {
       const Edge edge = std::minmax(face[i], face[(i + 1) % face.size()]);
       const std::size_t g = face_of_edge.emplace(edge, f).first->second;
-      if (parts[f] == parts[g] && pieces.find_set(f) != pieces.find_set(g))
+      if (parts[f] == parts[g] && root(f) != root(g))
       {
-        pieces.link(pieces.find_set(f), pieces.find_set(g));
+        parent[root(f)] = root(g);
         --number;
       }
     }

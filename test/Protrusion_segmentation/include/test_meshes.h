@@ -6,7 +6,7 @@
 //
 //   using namespace test_meshes;
 //   const Test_mesh soup = star(5);                          // points, faces, parts
-//   const auto tmesh = to_graph<CGAL::Surface_mesh<K::Point_3>>(soup);  // any MutableFaceGraph
+//   const auto pmesh = to_graph<CGAL::Surface_mesh<K::Point_3>>(soup);  // any MutableFaceGraph
 //
 // | header            | meshes                                                                |
 // |-------------------|-----------------------------------------------------------------------|

@@ -87,13 +87,29 @@ class Model
       .map(p => p.segment);
   }
 
-  // The least value of a cut around a segment; infinity if there is none.
+  // Of the border of a protrusion: its probability, or its value if the method does not estimate that.
+  sureness(segment)
+  {
+    const {probability, value} = this.protrusions.get(segment);
+    return probability ?? value;
+  }
+
+  // The least sureness of a border of a segment; infinity if there is none.
   confidence(segment)
   {
-    const values = this.children(segment).map(child => this.protrusions.get(child).value);
+    const borders = this.children(segment);
     if (this.protrusions.has(segment))
-      values.push(this.protrusions.get(segment).value);
-    return Math.min(...values);
+      borders.push(segment);
+    return Math.min(...borders.map(border => this.sureness(border)));
+  }
+
+  // The ends of the scale of confidence: probabilities from 0 to 1, or the least and the largest value of a border.
+  scale()
+  {
+    if (this.data.protrusions.every(p => p.probability !== null))
+      return [0, 1];
+    const values = this.data.protrusions.map(p => p.value);
+    return [Math.min(...values), Math.max(...values)];
   }
 
   centroid(face)

@@ -59,13 +59,12 @@ function colorOfShare(share)
   return from.map((x, i) => Math.round(x + t * (to[i] - x)));
 }
 
-// The colour of a shown segment: its own, or that of its confidence between the least and the largest value of a border.
+// The colour of a shown segment: its own, or that of its confidence.
 function colorOf(model, segment)
 {
   if (!showsConfidence())
     return model.colors[segment];
-  const values = model.data.protrusions.map(p => p.value);
-  const [least, largest] = [Math.min(...values), Math.max(...values)];
+  const [least, largest] = model.scale();
   return colorOfShare(largest > least ? Math.min(1, (model.confidence(segment) - least) / (largest - least)) : 1);
 }
 
@@ -176,8 +175,8 @@ class Panel
 // What the numbers are, and in which unit. Shown under the mouse, and in a list.
 Panel.meanings = {
   "faces": "of the file that was segmented",
-  "confidence": "the value of the weakest border of this segment, what has the least is to be checked first; both sides of " +
-                "a doubtful border have its low value",
+  "confidence": "the probability of the weakest border of this segment, or its value where the method has no " +
+                "probabilities; check the segments with the least confidence first",
   "sticks out of segment": "the segment that gets these faces if the two are merged",
   "tip at face": "the face farthest from the border, counted from 0 in the order of the file",
   "prominence of the border": "how much wider the surface is behind the border than at it: the logarithm of the ratio",

@@ -2,9 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What the methods and the distances that need a library do is `inline`, as all else. The package's own tests, which are
-// many, compile it once: all but one of their files define CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS and see no more than declarations; that one defines
-// CGAL_PROTRUSION_SEGMENTATION_INLINE as nothing.
+// The methods and the distances that need a library are `inline`, as all else. A program that is linked with
+// CGAL::Protrusion_segmentation_compiled defines CGAL_PROTRUSION_SEGMENTATION_COMPILED and sees only the declarations of the
+// methods. The source of that library defines CGAL_PROTRUSION_SEGMENTATION_INLINE as nothing. The package's own tests
+// compile those distances once, too, with CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES.
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_INLINE_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_INLINE_H

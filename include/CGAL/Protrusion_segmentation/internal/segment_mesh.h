@@ -21,10 +21,7 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
-#include <iterator>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -36,59 +33,51 @@ namespace internal {
 // The way of the data, the same for all public functions: the mesh becomes index arrays, these get their canonical
 // order, a method makes segments of them, and these go back to the mesh.
 
-inline void check_number_of_segments(std::size_t number_of_segments, std::size_t number_of_faces)
-{
-  if (number_of_segments == 0)
-    throw std::invalid_argument("number_of_segments is 0");
-  if (number_of_segments > number_of_faces)
-    throw std::invalid_argument("number_of_segments is " + std::to_string(number_of_segments) +
-                                ", but tmesh has only " + std::to_string(number_of_faces) + " faces");
-}
+// Whether a call is one to be compiled; if not, one sentence says why.
+template <typename FaceGraph, typename SegmentMap, typename NamedParameters>
+constexpr bool writes_segments = std::conjunction_v<Check_mesh<FaceGraph>,
+                                                    Check_segment_map<FaceGraph, SegmentMap>,
+                                                    Check_edge_map<FaceGraph, NamedParameters>>;
+template <typename FaceGraph, typename NamedParameters>
+constexpr bool writes_no_segments = std::conjunction_v<Check_mesh<FaceGraph>, Check_no_edge_map<NamedParameters>>;
 
-// The result of `run(surface, execution)` on the arrays of a mesh; none if the visitor stopped it.
+// The result of `run(surface, execution)` on the arrays of a mesh.
 template <typename ConcurrencyTag, typename FaceGraph, typename NamedParameters, typename Run>
 auto run_on_mesh(const FaceGraph& mesh, const NamedParameters& np, Run run)
-  -> std::optional<decltype(run(std::declval<const Canonical_surface&>(), std::declval<Execution&>()))>
 {
   auto visitor_parameter = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
                                                         Segmentation_visitor<FaceGraph>());
   auto& visitor = unwrap(visitor_parameter);
-  check_visitor<FaceGraph, std::remove_reference_t<decltype(visitor)>>();
-  Mesh_observer<FaceGraph> observer(mesh, visitor);
+  using Visitor = std::remove_reference_t<decltype(visitor)>;
+  static_assert(Check_visitor<FaceGraph, Visitor>::value);
+  Mesh_observer<FaceGraph, Visitor> observer(mesh, visitor);
   Execution execution(observer, random_seed(np), is_parallel<ConcurrencyTag>());
-  try
+  std::optional<Canonical_surface> surface;
   {
-    std::optional<Canonical_surface> surface;
-    {
-      const Stage_scope stage(observer, Stage::READING);
-      Rest_of_surface rest = leave_out_specks(read_arrays(mesh, np));
-      if (rest.number_of_specks > 0)
-        observer.specks_left_out(rest.number_of_specks);
-      execution.check();
-      surface.emplace(std::move(rest), execution.is_parallel());
-    }
-    observer.set_surface(*surface);
+    const Stage_scope stage(observer, Stage::READING);
+    Rest_of_surface rest = leave_out_specks(read_arrays(mesh, np));
+    if (rest.number_of_specks > 0)
+      observer.specks_left_out(rest.number_of_specks);
     execution.check();
-    auto result = run(*surface, execution);
-    execution.progress(1);
-    return result;
+    surface.emplace(std::move(rest), execution.is_parallel());
   }
-  catch (const Cancelled&)
-  {
-    return std::nullopt;
-  }
+  observer.set_surface(*surface);
+  execution.check();
+  auto result = run(*surface, execution);
+  execution.progress(1);
+  return result;
 }
 
-// The segments of a mesh; `labels` is in its order. None if there is no face.
+// The segments of a mesh; `labels` is in its order.
 struct Mesh_segments
 {
-  Nested_segments segments;
+  Nested_segments segments; // none if there is no face
   std::vector<Indexed_surface::Index> labels;
 };
 
 // Runs a method: `segment(surface, execution)` on index arrays.
 template <typename ConcurrencyTag, typename FaceGraph, typename NamedParameters, typename Segment>
-std::optional<Mesh_segments> segments_of_mesh(const FaceGraph& mesh, const NamedParameters& np, Segment segment)
+Mesh_segments segments_of_mesh(const FaceGraph& mesh, const NamedParameters& np, Segment segment)
 {
   return run_on_mesh<ConcurrencyTag>(
     mesh, np,
@@ -102,54 +91,51 @@ std::optional<Mesh_segments> segments_of_mesh(const FaceGraph& mesh, const Named
     });
 }
 
-// Writes the results, if there are any; returns the number of segments.
-template <typename FaceGraph, typename SegmentMap, typename NamedParameters>
-std::size_t write_results(const FaceGraph& mesh,
-                          const std::optional<Mesh_segments>& result,
-                          SegmentMap& segment_ids,
-                          const NamedParameters& np)
-{
-  if (!result)
-    return 0;
-  write_segments(mesh, result->labels, segment_ids);
-  write_borders(mesh, result->labels, np);
-  return result->segments.number_of_segments();
-}
-
 template <typename ConcurrencyTag, typename FaceGraph, typename Method, typename NamedParameters>
-std::optional<Mesh_segments> segment_by_number(const FaceGraph& mesh,
-                                               std::optional<std::size_t> number_of_segments,
-                                               const Method& method,
-                                               const NamedParameters& np)
+Mesh_segments segment_by_number(const FaceGraph& mesh,
+                                std::optional<std::size_t> number_of_segments,
+                                const Method& method,
+                                const NamedParameters& np)
 {
-  if (number_of_segments)
-    check_number_of_segments(*number_of_segments,
-                             static_cast<std::size_t>(std::distance(faces(mesh).begin(), faces(mesh).end())));
   return segments_of_mesh<ConcurrencyTag>(
     mesh, np, [&](const Canonical_surface& surface, Execution& execution)
     { return method.segment(surface.surface(), number_of_segments, execution); });
 }
 
-template <typename ConcurrencyTag, typename FaceGraph, typename SegmentMap, typename Method, typename NamedParameters>
+// Writes the results; returns the number of segments.
+template <typename FaceGraph, typename SegmentMap, typename NamedParameters>
+std::size_t write_results(const FaceGraph& mesh,
+                          const Mesh_segments& result,
+                          SegmentMap& segment_ids,
+                          const NamedParameters& np)
+{
+  write_segments(mesh, result.labels, segment_ids);
+  write_borders(mesh, result.labels, np);
+  return result.segments.number_of_segments();
+}
+
+// `number_of_segments` is an integer or `std::nullopt`.
+template <typename ConcurrencyTag,
+          typename FaceGraph,
+          typename SegmentMap,
+          typename Number,
+          typename Method,
+          typename NamedParameters>
 std::size_t segment_mesh(const FaceGraph& mesh,
                          SegmentMap segment_ids,
-                         std::optional<std::size_t> number_of_segments,
+                         Number number_of_segments,
                          const Method& method,
                          const NamedParameters& np)
 {
-  check_segment_map<FaceGraph, SegmentMap>();
-  return write_results(mesh, segment_by_number<ConcurrencyTag>(mesh, number_of_segments, method, np), segment_ids, np);
-}
-
-template <typename ConcurrencyTag, typename FaceGraph, typename Method, typename NamedParameters>
-Segment_hierarchy mesh_hierarchy(const FaceGraph& mesh,
-                                 std::size_t maximum_number_of_segments,
-                                 const Method& method,
-                                 const NamedParameters& np)
-{
-  std::optional<Mesh_segments> result =
-    segment_by_number<ConcurrencyTag>(mesh, maximum_number_of_segments, method, np);
-  return result ? Segment_hierarchy(result->segments, std::move(result->labels)) : Segment_hierarchy();
+  if constexpr (writes_segments<FaceGraph, SegmentMap, NamedParameters>)
+  {
+    std::optional<std::size_t> number;
+    if constexpr (!std::is_same_v<Number, std::nullopt_t>)
+      number = checked_count("number_of_segments", number_of_segments, Number(1), mesh);
+    return write_results(mesh, segment_by_number<ConcurrencyTag>(mesh, number, method, np), segment_ids, np);
+  }
+  else
+    return 0;
 }
 
 template <typename ConcurrencyTag,
@@ -164,44 +150,65 @@ std::size_t segment_mesh_from_tips(const FaceGraph& mesh,
                                    const Method& method,
                                    const NamedParameters& np)
 {
-  check_segment_map<FaceGraph, SegmentMap>();
-  const std::vector<Indexed_surface::Index> numbers = face_numbers(mesh, tips);
-  const std::optional<Mesh_segments> result = segments_of_mesh<ConcurrencyTag>(
-    mesh, np, [&](const Canonical_surface& surface, Execution& execution)
-    { return method.segment_from_tips(surface.surface(), surface.faces_at(numbers), execution); });
-  return write_results(mesh, result, segment_ids, np);
+  if constexpr (writes_segments<FaceGraph, SegmentMap, NamedParameters>)
+    if constexpr (Check_tips<FaceGraph, FaceRange>::value)
+    {
+      const std::vector<Indexed_surface::Index> numbers = face_numbers(mesh, tips);
+      const Mesh_segments result = segments_of_mesh<ConcurrencyTag>(
+        mesh, np, [&](const Canonical_surface& surface, Execution& execution)
+        { return method.segment_from_tips(surface.surface(), surface.faces_at(numbers), execution); });
+      return write_results(mesh, result, segment_ids, np);
+    }
+  return 0;
+}
+
+template <typename ConcurrencyTag, typename FaceGraph, typename Number, typename Method, typename NamedParameters>
+Segment_hierarchy mesh_hierarchy(const FaceGraph& mesh,
+                                 Number maximum_number_of_segments,
+                                 const Method& method,
+                                 const NamedParameters& np)
+{
+  if constexpr (writes_no_segments<FaceGraph, NamedParameters>)
+  {
+    const std::size_t number =
+      checked_count("maximum_number_of_segments", maximum_number_of_segments, Number(1), mesh);
+    Mesh_segments result = segment_by_number<ConcurrencyTag>(mesh, number, method, np);
+    return Segment_hierarchy(result.segments, std::move(result.labels));
+  }
+  else
+    return {};
 }
 
 template <typename ConcurrencyTag,
           typename FaceGraph,
+          typename Number,
           typename OutputIterator,
           typename Distance,
           typename NamedParameters>
 OutputIterator select_mesh_tips(const FaceGraph& mesh,
-                                std::size_t number_of_tips,
+                                Number number_of_tips,
                                 OutputIterator tips,
                                 const Distance& distance,
                                 const NamedParameters& np)
 {
-  const std::vector<typename boost::graph_traits<FaceGraph>::face_descriptor> descriptors(faces(mesh).begin(),
-                                                                                          faces(mesh).end());
-  if (number_of_tips > descriptors.size())
-    throw std::invalid_argument("number_of_tips is " + std::to_string(number_of_tips) + ", but tmesh has only " +
-                                std::to_string(descriptors.size()) + " faces");
-  const Any_distance any_distance(distance);
-  const auto positions = run_on_mesh<ConcurrencyTag>(
-    mesh, np,
-    [&](const Canonical_surface& surface, Execution& execution)
-    {
-      std::vector<Indexed_surface::Index> result =
-        select_tips_of_components(surface.surface(), any_distance, number_of_tips, execution);
-      for (Indexed_surface::Index& tip : result)
-        tip = surface.positions()[tip];
-      return result;
-    });
-  if (positions)
-    for (Indexed_surface::Index p : *positions)
+  if constexpr (writes_no_segments<FaceGraph, NamedParameters>)
+  {
+    const std::size_t number = checked_count("number_of_tips", number_of_tips, Number(0), mesh);
+    const std::vector<Face_of<FaceGraph>> descriptors(faces(mesh).begin(), faces(mesh).end());
+    const Any_distance any_distance(distance);
+    const std::vector<Indexed_surface::Index> positions = run_on_mesh<ConcurrencyTag>(
+      mesh, np,
+      [&](const Canonical_surface& surface, Execution& execution)
+      {
+        std::vector<Indexed_surface::Index> result =
+          select_tips_of_components(surface.surface(), any_distance, number, execution);
+        for (Indexed_surface::Index& tip : result)
+          tip = surface.positions()[tip];
+        return result;
+      });
+    for (const Indexed_surface::Index p : positions)
       *tips++ = descriptors[p];
+  }
   return tips;
 }
 

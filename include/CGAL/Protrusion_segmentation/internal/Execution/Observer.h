@@ -5,19 +5,15 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_EXECUTION_OBSERVER_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_EXECUTION_OBSERVER_H
 
-#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/Protrusion.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
-
-// Thrown where a visitor stops a call; caught by the public functions. No std::exception, so that no distance
-// of a user's catches it by mistake.
-struct Cancelled {};
 
 enum class Stage
 {
@@ -33,7 +29,7 @@ enum class Stage
 class Observer
 {
 public:
-  using Index = Indexed_surface::Index;
+  using Index = std::uint32_t; // of a face, as in Indexed_surface
 
   virtual ~Observer() = default;
   virtual bool go_further() { return true; }

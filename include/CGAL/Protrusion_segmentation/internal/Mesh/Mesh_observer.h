@@ -15,23 +15,35 @@
 #include <boost/graph/graph_traits.hpp>
 
 #include <cstddef>
-#include <typeinfo>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
+// Whether a visitor has functions of its own for tips or protrusions. A function that it inherits from
+// `Segmentation_visitor` has the type of a member of that.
+template <typename Visitor, typename FaceGraph, typename = void>
+struct Looks_at_protrusions : std::true_type {};
+template <typename Visitor, typename FaceGraph>
+struct Looks_at_protrusions<Visitor,
+                            FaceGraph,
+                            std::void_t<decltype(&Visitor::on_tip), decltype(&Visitor::on_protrusion)>>
+  : std::bool_constant<!std::is_same_v<decltype(&Visitor::on_tip),
+                                       decltype(&Segmentation_visitor<FaceGraph>::on_tip)> ||
+                       !std::is_same_v<decltype(&Visitor::on_protrusion),
+                                       decltype(&Segmentation_visitor<FaceGraph>::on_protrusion)>>
+{};
+
 // Tells a visitor, in faces and units of the mesh, what an observer is told.
-template <typename FaceGraph>
+template <typename FaceGraph, typename Visitor>
 class Mesh_observer : public Observer
 {
 public:
   using face_descriptor = typename boost::graph_traits<FaceGraph>::face_descriptor;
 
-  Mesh_observer(const FaceGraph& mesh, Segmentation_visitor<FaceGraph>& visitor)
-    : m_mesh(mesh), m_visitor(visitor)
-  {}
+  Mesh_observer(const FaceGraph& mesh, Visitor& visitor) : m_mesh(mesh), m_visitor(visitor) {}
 
   // to be called before any face is reported; the surface must outlive the object
   void set_surface(const Canonical_surface& surface) { m_surface = &surface; }
@@ -67,8 +79,7 @@ public:
     }
   }
 
-  // A visitor of a derived type may.
-  bool looks_at_protrusions() const override { return typeid(m_visitor) != typeid(Segmentation_visitor<FaceGraph>); }
+  bool looks_at_protrusions() const override { return Looks_at_protrusions<Visitor, FaceGraph>::value; }
 
   void protrusion_found(const Protrusion<Index>& found) override
   {
@@ -101,7 +112,7 @@ private:
   }
 
   const FaceGraph& m_mesh;
-  Segmentation_visitor<FaceGraph>& m_visitor;
+  Visitor& m_visitor;
   const Canonical_surface* m_surface = nullptr;
   std::vector<face_descriptor> m_faces; // in the order of the mesh, when the first is asked for
 };

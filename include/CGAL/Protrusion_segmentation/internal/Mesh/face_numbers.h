@@ -37,7 +37,7 @@ std::vector<Indexed_surface::Index> face_numbers(const FaceGraph& mesh, const Fa
   for (const auto f : range)
   {
     if (numbers[f] == Indexed_surface::no_face())
-      throw std::invalid_argument("tips: a face is not in tmesh");
+      throw std::invalid_argument("tips: a face is not in pmesh");
     result.push_back(numbers[f]);
   }
   return result;

@@ -43,10 +43,6 @@ std::vector<Polygon_soup::Point_3> read_soup_points(const PointRange& points, Po
   {
     const auto& p = get(point_map, element);
     result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    for (int c = 0; c < 3; ++c)
-      if (!std::isfinite(result.back()[c]))
-        throw std::invalid_argument("points: point " + std::to_string(result.size() - 1) +
-                                    " has a coordinate that is not finite");
   }
   return result;
 }
@@ -82,6 +78,34 @@ Polygons read_polygons(const PolygonRange& polygons, std::size_t number_of_point
   if (result.size() == 0)
     throw std::invalid_argument("polygons: there are none");
   return result;
+}
+
+// Points that are corners must be finite. All others do not matter, and move to the origin if they are not.
+inline void check_points(Polygon_soup& soup)
+{
+  std::vector<bool> is_corner(soup.points.size(), false);
+  for (std::size_t c = 0; c < soup.polygons.number_of_corners(); ++c)
+    is_corner[soup.polygons.corner(c)] = true;
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
+  {
+    Polygon_soup::Point_3& p = soup.points[i];
+    if (std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()))
+      continue;
+    if (is_corner[i])
+      throw std::invalid_argument("points: point " + std::to_string(i) + " has a coordinate that is not finite");
+    p = ORIGIN;
+  }
+}
+
+// With the checks of both arguments.
+template <typename PointRange, typename PointMap, typename PolygonRange>
+Polygon_soup read_polygon_soup(const PointRange& points, PointMap point_map, const PolygonRange& polygons)
+{
+  Polygon_soup soup;
+  soup.points = read_soup_points(points, point_map);
+  soup.polygons = read_polygons(polygons, soup.points.size());
+  check_points(soup);
+  return soup;
 }
 
 } // namespace internal

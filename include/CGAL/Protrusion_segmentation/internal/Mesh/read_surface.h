@@ -55,7 +55,7 @@ std::vector<Indexed_surface::Point_3> read_points(const FaceGraph& mesh,
                                        CGAL::to_double(p.z())};
     for (double x : xyz)
       if (!std::isfinite(x))
-        throw std::invalid_argument("tmesh: vertex " + std::to_string(i) +
+        throw std::invalid_argument("pmesh: vertex " + std::to_string(i) +
                                     " has a coordinate that is not finite");
     put(numbers, v, static_cast<Indexed_surface::Index>(points.size()));
     points.emplace_back(xyz[0], xyz[1], xyz[2]);
@@ -102,7 +102,7 @@ Surface_arrays read_arrays(const FaceGraph& mesh, const NamedParameters& np)
     number_of_corners += halfedges_around_face(halfedge(f, mesh), mesh).size();
   }
   if (number_of_corners >= Indexed_surface::no_face())
-    throw std::length_error("tmesh: more corners of faces than a 32 bit index can number");
+    throw std::length_error("pmesh: more corners of faces than a 32 bit index can number");
 
   arrays.corner_begin.reserve(number_of_faces + 1);
   arrays.corner_vertices.reserve(number_of_corners);

@@ -42,7 +42,7 @@ inline void check_edges_are_single(const Indexed_surface& surface)
   std::sort(edges.begin(), edges.end());
   const auto twice = std::adjacent_find(edges.begin(), edges.end());
   if (twice != edges.end())
-    throw std::invalid_argument("tmesh: two edges have the same two ends");
+    throw std::invalid_argument("pmesh: two edges have the same two ends");
 }
 
 // Points of an input mesh, and of an output mesh that are means of these.

@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_WRITE_SEGMENTS_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Mesh/named_parameters.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/properties.h>
@@ -59,11 +60,7 @@ void write_borders(const FaceGraph& mesh,
                    const std::vector<Indexed_surface::Index>& labels,
                    const NamedParameters& np)
 {
-  using No_map = std::is_same<
-    typename internal_np::Lookup_named_param_def<internal_np::edge_is_constrained_t, NamedParameters,
-                                                 internal_np::Param_not_found>::type,
-    internal_np::Param_not_found>;
-  if constexpr (!No_map::value)
+  if constexpr (has_edge_map<NamedParameters>)
   {
     auto borders = parameters::get_parameter(np, internal_np::edge_is_constrained);
     auto label = get(CGAL::dynamic_face_property_t<Indexed_surface::Index>(), mesh);

@@ -89,7 +89,7 @@ private:
         break;
       ++position;
     }
-    throw std::invalid_argument("mesh: vertex " + std::to_string(position) + " has a coordinate that is not finite");
+    throw std::invalid_argument("pmesh: vertex " + std::to_string(position) + " has a coordinate that is not finite");
   }
 
   VertexPointMap m_points;

@@ -38,7 +38,7 @@ Rest_of_surface leave_out_specks(Surface_arrays surface);
 } // namespace Protrusion_segmentation
 } // namespace CGAL
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_LINKED_METHODS
+#ifndef CGAL_PROTRUSION_SEGMENTATION_COMPILED
 #include <CGAL/Protrusion_segmentation/internal/Surface/leave_out_specks.h>
 #endif
 

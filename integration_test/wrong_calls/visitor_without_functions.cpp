@@ -2,13 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// expected: override
+// expected: the visitor is no model of ProtrusionSegmentationVisitor
 
 #include "mesh.h"
 
-struct Visitor : Segmentation_visitor<Mesh>
+struct Visitor
 {
-  bool go_furhter() override { return false; }
+  bool go_further() { return true; }
 };
 
 std::size_t segment(const Mesh& mesh, Segment_map ids)

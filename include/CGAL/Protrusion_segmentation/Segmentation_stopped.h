@@ -1,0 +1,26 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_SEGMENTATION_STOPPED_H
+#define CGAL_PROTRUSION_SEGMENTATION_SEGMENTATION_STOPPED_H
+
+namespace CGAL {
+namespace Protrusion_segmentation {
+
+/*!
+\ingroup PkgProtrusionSegmentationRef
+
+The exception that ends a call if its visitor stops it: if `go_further()` of the visitor returns `false`.
+The call has written nothing then. Only callers whose visitor stops a call have to catch it.
+
+It does not derive from `std::exception`, so that a distance that handles exceptions of its own lets it
+pass.
+*/
+struct Segmentation_stopped
+{};
+
+} // namespace Protrusion_segmentation
+} // namespace CGAL
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_SEGMENTATION_STOPPED_H
