@@ -2,8 +2,8 @@
 # Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints benchmark/Protrusion_segmentation/Performance/files.md: how long segment_by_protrusions takes from a mesh file to
-one with labels, in the file's format, and how much memory.
+"""Prints benchmark/Protrusion_segmentation/Performance/files.md: how long segment_by_protrusions takes from a mesh file to a
+PLY file with labels, and how much memory.
 
 file_times.py TOOL [--threads 1,2] FILE...
 """
