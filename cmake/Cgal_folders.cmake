@@ -32,7 +32,7 @@ function(protrusion_add_cgal_folder folder)
     endif()
     target_link_libraries(${program} PRIVATE protrusion_program)
     get_target_property(sources ${program} SOURCES)
-    if("Quality/read_mesh.cpp" IN_LIST sources) # which reads as the tools do if it can
+    if(sources MATCHES "Quality/read_mesh\\.cpp") # which reads as the tools do if it can; the paths are absolute
       target_link_libraries(${program} PRIVATE protrusion_mesh_reader)
     endif()
   endforeach()

@@ -302,6 +302,28 @@ void test_models()
           model.faces.labels_of_file({5, 6}) == Labels({5, 6, 6, 5}));
   }
   CHECK_THROWS_WITH(folder.read_model(3), std::runtime_error, "3.off: line 6: ");
+  CHECK(folder.models("1-3/2") == std::vector<int>({1, 3}));
+  CHECK_THROWS_WITH(folder.models("1-3/x"), std::invalid_argument, "1-3/x");
+}
+
+// The archive's folder, or the one within it, is named. An error names the file that is missing.
+void test_layout_of_archive()
+{
+  const Work_folder work;
+  CHECK_THROWS_WITH(Benchmark_folder(work.path("psb")), std::runtime_error, "psb/off: cannot be opened");
+  work.write("psb/data/off/1.off", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  CHECK_THROWS_WITH(Benchmark_folder(work.path("psb")), std::runtime_error,
+                    "psb/nSeg-ByModel.txt: cannot be opened");
+  work.write("psb/util/parameters/nSeg-ByModel.txt", "2\n");
+  CHECK_THROWS_WITH(Benchmark_folder(work.path("psb")).read_model(1), std::runtime_error,
+                    "seg/1: cannot be opened");
+  work.write("psb/data/seg/Benchmark/1/1_0.seg", "5\n");
+  for (const char* folder : {"psb", "psb/data"})
+  {
+    const Model model = Benchmark_folder(work.path(folder)).read_model(1);
+    CHECK_EQUAL(model.number_of_segments, 2);
+    CHECK_EQUAL(model.humans.size(), 1);
+  }
 }
 
 // The benchmark's program divides the number of disagreeing pairs by n * floor((n - 1) / 2).
@@ -337,5 +359,6 @@ int main()
   test_written_folder();
   test_models();
   test_rand_index_error();
+  test_layout_of_archive();
   return check::result();
 }

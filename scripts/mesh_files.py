@@ -2,16 +2,18 @@
 # Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Prints a table, in Markdown, of what segment_by_protrusions makes of the mesh files in folders, and whether a second
-reader finds as many faces. Debian: assimp-utils, meshlab, xvfb.
+"""Prints benchmark/Protrusion_segmentation/Robustness/mesh_files.md: how many mesh files in folders segment_by_protrusions
+reads and labels, and for how many a second reader finds as many faces. Files for which something is missing are listed on the
+standard error. Debian: assimp-utils, meshlab, xvfb.
 
-mesh_files.py TOOL [--before OTHER_TOOL] FOLDER...
+mesh_files.py TOOL FOLDER...
 """
 import argparse
 import json
 import pathlib
 import re
 import subprocess
+import sys
 import tempfile
 
 EXTENSIONS = {".off", ".obj", ".ply", ".stl", ".ts", ".vtp", ".3mf"}
@@ -41,21 +43,9 @@ def faces_by_meshlab(mesh):
     return number(r"loaded has \d+ vn (\d+) fn", out + errors)
 
 
-def second_opinion(mesh, faces, triangles):
+def is_confirmed(mesh, faces, triangles):
     """MeshLab makes triangles of all faces, so that their number is right, too."""
-    by_assimp = faces_by_assimp(mesh)
-    if by_assimp == faces:
-        return "assimp"
-    by_meshlab = faces_by_meshlab(mesh)
-    if by_meshlab == faces:
-        return "MeshLab"
-    if by_meshlab == triangles:
-        return f"MeshLab: {triangles} triangles"
-    return f"no: assimp {by_assimp or '-'}, MeshLab {by_meshlab or '-'}"
-
-
-def reason(errors, mesh):
-    return errors.strip().removeprefix("segment_by_protrusions: ").removeprefix(f"{mesh}: ")
+    return faces_by_assimp(mesh) == faces or faces_by_meshlab(mesh) in (faces, triangles)
 
 
 def number_of_triangles(off):
@@ -65,50 +55,43 @@ def number_of_triangles(off):
     return sum(max(0, int(line.split()[0]) - 2) for line in lines[2 + vertices:])
 
 
-def result_of(tool, mesh, folder):
+def what_is_missing(tool, mesh, folder):
+    """The columns of the table, from the first one on, in which the file does not count."""
     record, labels, off = folder / "record.json", folder / "labels.seg", folder / "mesh.off"
     _, errors, code = output_of(tool, mesh, "--quiet", "--json", record, "-o", labels, "-o", off)
+    if code == 1:
+        return ["read", "labelled", "confirmed"], errors.strip()
     if code != 0:
-        return {"reason": "refused: " + reason(errors, mesh) if code == 1 else f"exit code {code}"}
-    found = json.loads(record.read_text())
-    return {"faces": found["faces"], "segments": found["segments"], "labels": len(labels.read_text().split()),
-            "note": re.sub(r"(; )?found no evident.*", "", found["note"] or ""), "triangles": number_of_triangles(off)}
-
-
-def row(arguments, mesh, name, folder):
-    new = result_of(arguments.tool, mesh, folder)
-    cells = [f"`{name}`"]
-    if "reason" in new:
-        by_assimp = faces_by_assimp(mesh)
-        cells += ["", "", "", "assimp" if not by_assimp else f"no: assimp {by_assimp}"]
-    else:
-        opinion = second_opinion(mesh, new["faces"], new["triangles"])
-        cells += [str(new["faces"]), str(new["labels"]), str(new["segments"]), opinion]
-    if arguments.before:
-        old = result_of(arguments.before, mesh, folder)
-        is_same = "segments" in old and (old["faces"], old["segments"]) == (new.get("faces"), new.get("segments"))
-        cells.append("same" if is_same or old == new else old.get("reason") or f"{old['faces']} / {old['segments']}")
-    cells.append(new.get("reason") or new["note"])
-    return "| " + " | ".join(cells) + " |"
+        return ["read", "labelled", "confirmed", "refused"], f"{mesh}: exit code {code}"
+    faces = json.loads(record.read_text())["faces"]
+    missing = [] if len(labels.read_text().split()) == faces else ["labelled"]
+    if not is_confirmed(mesh, faces, number_of_triangles(off)):
+        missing.append("confirmed")
+    return missing + ["refused"], f"{mesh}: not {', '.join(missing)}" if missing else ""
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("tool", type=pathlib.Path)
     parser.add_argument("folders", type=pathlib.Path, nargs="+")
-    parser.add_argument("--before", type=pathlib.Path)
     arguments = parser.parse_args()
-    titles = ["file", "faces", "labelled", "segments", "a second reader", "before: faces / segments", "note"]
-    if not arguments.before:
-        titles.remove("before: faces / segments")
+    print("# Robustness: mesh files\n\n```\nscripts/mesh_files.py segment_by_protrusions",
+          *(folder.name for folder in arguments.folders))
+    print("```\n\nWhat the command line tool makes of mesh files: how many it reads and labels, and for how many a second "
+          "reader (assimp or\nMeshLab) finds as many faces. The refused files are point sets.\n\n"
+          "| folder | files | read | every face labelled | confirmed by a second reader | refused |\n"
+          "|---|--:|--:|--:|--:|--:|")
     with tempfile.TemporaryDirectory() as temporary:
         for folder in arguments.folders:
-            print("| " + " | ".join(titles) + " |")
-            print("|---|--:|--:|--:|" + "---|" * (len(titles) - 4))
-            for mesh in sorted(folder.rglob("*")):
-                if mesh.suffix.lower() in EXTENSIONS:
-                    print(row(arguments, mesh, mesh.relative_to(folder), pathlib.Path(temporary)), flush=True)
-            print()
+            files = [mesh for mesh in sorted(folder.rglob("*")) if mesh.suffix.lower() in EXTENSIONS]
+            counts = dict.fromkeys(("read", "labelled", "confirmed", "refused"), len(files))
+            for mesh in files:
+                missing, message = what_is_missing(arguments.tool, mesh, pathlib.Path(temporary))
+                for column in missing:
+                    counts[column] -= 1
+                if message:
+                    print(message, file=sys.stderr)
+            print("|", folder.name, "|", len(files), "|", " | ".join(map(str, counts.values())), "|", flush=True)
 
 
 if __name__ == "__main__":

@@ -203,7 +203,7 @@ Point rotated(const Point& p)
 
 Change_of_mesh scaled(const std::string& name, double factor)
 {
-  return {name, [factor](const Mesh& mesh)
+  return {name, "0", [factor](const Mesh& mesh)
           { return moved(mesh, [factor](const Point& p) { return CGAL::ORIGIN + factor * (p - CGAL::ORIGIN); }); }};
 }
 
@@ -212,20 +212,20 @@ Change_of_mesh scaled(const std::string& name, double factor)
 std::vector<Change_of_mesh> all_changes_of_mesh()
 {
   const auto split = [](const Mesh& mesh) { return split_at_midpoints(moved(mesh, [](const Point& p) { return p; })); };
-  return {{"faces and vertices permuted", permuted},
-          {"rotated", [](const Mesh& mesh) { return moved(mesh, rotated); }},
-          {"mirrored", mirrored},
+  return {{"faces and vertices permuted", "0", permuted},
+          {"rotated", "0", [](const Mesh& mesh) { return moved(mesh, rotated); }},
+          {"mirrored", "0", mirrored},
           scaled("a thousandth of the size", 1e-3),
           scaled("a thousand times the size", 1e3),
-          {"three copies", three_copies, [](std::size_t n) { return 3 * n; }},
-          {"on a floor", on_a_floor, [](std::size_t n) { return n + 1; }},
-          {"without one face", without_a_face},
-          {"vertices moved by 1 % of an edge", [](const Mesh& mesh) { return jittered(mesh, 0.01 * mean_edge_length(mesh)); }},
-          {"noise of 0.1 % of the size", [](const Mesh& mesh) { return jittered(mesh, 0.001 * size_of(mesh)); }},
-          {"split at midpoints", split},
-          {"split twice", [split](const Mesh& mesh) { return split_at_midpoints(split(mesh)); }},
-          {"decimated to a half", [](const Mesh& mesh) { return decimated(mesh, 0.5); }},
-          {"decimated to a quarter", [](const Mesh& mesh) { return decimated(mesh, 0.25); }},
-          {"remeshed, same number of faces",
+          {"three copies", "0", three_copies, [](std::size_t n) { return 3 * n; }},
+          {"on a floor", "0", on_a_floor, [](std::size_t n) { return n + 1; }},
+          {"without one face", "-", without_a_face},
+          {"vertices moved by 1 % of an edge", ".015", [](const Mesh& mesh) { return jittered(mesh, 0.01 * mean_edge_length(mesh)); }},
+          {"noise of 0.1 % of the size", "-", [](const Mesh& mesh) { return jittered(mesh, 0.001 * size_of(mesh)); }},
+          {"split at midpoints", ".03", split},
+          {"split twice", ".03", [split](const Mesh& mesh) { return split_at_midpoints(split(mesh)); }},
+          {"decimated to a half", ".04", [](const Mesh& mesh) { return decimated(mesh, 0.5); }},
+          {"decimated to a quarter", "-", [](const Mesh& mesh) { return decimated(mesh, 0.25); }},
+          {"remeshed, same number of faces", "-",
            [](const Mesh& mesh) { return with_nearest_origins(remeshed(mesh, 1, 1), mesh); }}};
 }

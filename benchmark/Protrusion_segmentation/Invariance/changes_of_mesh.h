@@ -27,6 +27,7 @@ struct Changed_mesh
 struct Change_of_mesh
 {
   std::string name;
+  std::string goal; // the share of pairs of faces that may be divided differently; "-" for none
   std::function<Changed_mesh(const Mesh&)> apply;
   // the number of segments that one expects, for that of the mesh
   std::function<std::size_t(std::size_t)> number_of_segments = [](std::size_t n) { return n; };

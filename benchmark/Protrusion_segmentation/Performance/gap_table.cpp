@@ -64,13 +64,9 @@ void print_gap_table(const Options& options, const Benchmark_folder& folder)
 {
   Model model = folder.read_model(options.gap_model);
   CGAL::Subdivision_method_3::Loop_subdivision(model.mesh, CGAL::parameters::number_of_iterations(1));
-  std::cout << "## 6. How long a visitor waits to be asked\n\nModel " << options.gap_model
-            << ", subdivided once by Loop's rule to " << model.mesh.number_of_faces()
-            << " faces. A gap is the time from the call, or from a question `go_further()`, to the next "
-               "question, or to the end. The last column is the stage in which most of the longest gap passed. "
-               "After "
-            << options.gap_limit
-            << " seconds the visitor stops the call. Goal: a longest gap of 0.25 seconds.\n\n";
+  std::cout << "## 5. How often a visitor is asked whether to stop\n\nModel " << options.gap_model
+            << ", subdivided once to " << model.mesh.number_of_faces() << " faces; stopped after "
+            << options.gap_limit << " seconds. Goal: a longest gap of 0.25 seconds.\n\n";
   const Markdown_table table({"method and distance", "whole [s]", "questions", "longest gap [s]", "stage"});
   print_row(table, "Minimum-cut", model, PS::Minimum_cut_method(), options);
   print_rows(table, "GD", model, PS::Geodesic_distance(), options);

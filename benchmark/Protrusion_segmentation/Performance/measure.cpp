@@ -94,13 +94,14 @@ std::string number(double value, int digits)
   return out.str();
 }
 
-Markdown_table::Markdown_table(const std::vector<std::string>& header)
+Markdown_table::Markdown_table(const std::vector<std::string>& header) : m_number_of_columns(header.size())
 {
   print_row(header);
   print_row(std::vector<std::string>(header.size(), "---"));
 }
 
-void Markdown_table::row(const std::vector<std::string>& cells) const
+void Markdown_table::row(std::vector<std::string> cells) const
 {
+  cells.resize(m_number_of_columns);
   print_row(cells);
 }

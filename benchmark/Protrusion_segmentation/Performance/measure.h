@@ -38,7 +38,11 @@ class Markdown_table
 {
 public:
   explicit Markdown_table(const std::vector<std::string>& header);
-  void row(const std::vector<std::string>& cells) const;
+  // Cells that are missing at the end are empty.
+  void row(std::vector<std::string> cells) const;
+
+private:
+  std::size_t m_number_of_columns;
 };
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_MEASURE_H

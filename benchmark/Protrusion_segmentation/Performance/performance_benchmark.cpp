@@ -3,12 +3,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Measures the time and the memory of whole segmentations on the meshes of the Princeton Segmentation
-// Benchmark and prints eight tables in Markdown, each with its goal:
+// Benchmark and prints tables in Markdown:
 //
 //   performance_benchmark --folder FOLDER [--tables 1,3] [--models 2,4,10-50] [--methods NAME,...]
-//                         [--repetitions N] [--threads N] [--growth-model N] [--largest-growth FACES]
+//                         [--repetitions N] [--threads 2,4,8] [--growth-model N] [--largest-growth FACES]
 //                         [--gap-model N] [--gap-limit SECONDS]
 
+#include "markdown_head.h"
 #include "measure.h"
 #include "protrusion_methods.h"
 #include "tables.h"
@@ -37,22 +38,12 @@ std::string processor()
   return "unknown processor";
 }
 
-std::string load_average()
+void print_head(int argc, char** argv, const Options& options)
 {
-  std::ifstream in("/proc/loadavg");
-  std::string load;
-  return in >> load ? load : "unknown";
-}
-
-void print_head(const std::string& arguments, const Options& options)
-{
-  std::cout << "# Performance\n\n"
-            << "Machine: " << processor() << ", " << std::thread::hardware_concurrency()
-            << " threads; load average before the run " << load_average() << "; CGAL "
-            << CGAL_VERSION_STR << "; compiler " << __VERSION__ << ".\n"
-            << "Command: `performance_benchmark" << arguments << "`.\n"
-            << "Processor time (table 5: wall clock), medians of " << options.repetitions
-            << " repetitions; the sides of a ratio are measured one after the other in this run.\n\n";
+  write_head(std::cout, "#", "Performance", "performance_benchmark", argc, argv);
+  std::cout << "Machine: " << processor() << ", " << std::thread::hardware_concurrency() << " threads; CGAL "
+            << CGAL_VERSION_STR << ", compiler " << __VERSION__
+            << ".\nProcessor time (table 4: wall clock), medians of " << options.repetitions << " repetitions.\n\n";
 }
 
 using Print_table = void (*)(const Options&, const Benchmark_folder&);
@@ -60,9 +51,9 @@ using Print_table = void (*)(const Options&, const Benchmark_folder&);
 void print_tables(const Options& options)
 {
   const Benchmark_folder folder(options.folder);
-  const std::vector<Print_table> tables = {print_distance_table, print_peer_table, print_reading_table,
-                                           print_growth_table, print_thread_table, print_gap_table,
-                                           print_library_table, print_shape_table};
+  const std::vector<Print_table> tables = {print_distance_table, print_peer_table,    print_growth_table,
+                                           print_thread_table,   print_gap_table,     print_library_table,
+                                           print_shape_table};
   for (const int table : options.tables)
   {
     tables.at(std::size_t(table - 1))(options, folder);
@@ -92,30 +83,28 @@ int main(int argc, char** argv)
 {
   Options options;
   CLI::App app("Time and memory of whole segmentations, as tables in Markdown");
-  app.add_option("--folder", options.folder, "folder laid out as the Princeton Segmentation Benchmark")
+  app.add_option("--folder", options.folder, "unpacked archive of the Princeton Segmentation Benchmark")
     ->required();
-  app.add_option("--models", options.models, "models of tables 2, 3 and 7, such as 2,4,10-50");
-  app.add_option("--methods", options.methods, "methods of tables 2 to 4 and 8");
-  app.add_option("--tables", options.tables, "tables to print, of 1 to 8")
+  app.add_option("--models", options.models, "models of tables 2 and 6, such as 2,4,10-50,60-400/8");
+  app.add_option("--methods", options.methods, "methods of tables 2, 3 and 7");
+  app.add_option("--tables", options.tables, "tables to print, of 1 to 7")
     ->delimiter(',')
-    ->check(CLI::Range(1, 8));
+    ->check(CLI::Range(1, 7));
   app.add_option("--repetitions", options.repetitions, "of each measurement")
     ->check(CLI::PositiveNumber);
-  app.add_option("--growth-model", options.growth_model, "the model that table 4 subdivides");
-  app.add_option("--largest-growth", options.largest_growth, "the most faces in table 4");
-  app.add_option("--threads", options.threads, "threads of table 5")->check(CLI::PositiveNumber);
-  app.add_option("--gap-model", options.gap_model, "the model of table 6, which is subdivided once");
-  app.add_option("--gap-limit", options.gap_limit, "the seconds after which a call of table 6 is stopped")
+  app.add_option("--growth-model", options.growth_model, "the model that tables 3 and 4 subdivide");
+  app.add_option("--largest-growth", options.largest_growth, "the most faces in table 3");
+  app.add_option("--threads", options.threads, "numbers of threads of table 4, such as 2,4,8")
+    ->delimiter(',')
+    ->check(CLI::PositiveNumber);
+  app.add_option("--gap-model", options.gap_model, "the model of table 5, which is subdivided once");
+  app.add_option("--gap-limit", options.gap_limit, "the seconds after which a call of table 5 is stopped")
     ->check(CLI::PositiveNumber);
   CLI11_PARSE(app, argc, argv);
 
-  // the folder is the machine's own business
-  std::string arguments;
-  for (int i = 1; i < argc; ++i)
-    arguments += std::string(" ") + (argv[i] == options.folder ? "FOLDER" : argv[i]);
   try
   {
-    print_head(arguments, options);
+    print_head(argc, argv, options);
     print_tables(options);
   }
   catch (const std::exception& exception)

@@ -124,15 +124,12 @@ std::vector<std::pair<std::string, std::function<Mesh()>>> shapes()
 
 void print_shape_table(const Options& options, const Benchmark_folder&)
 {
-  std::cout << "## 8. Other shapes\n\n"
-            << "Of a million faces and without protrusions, made by formulas; " << number_of_segments
-            << " segments asked for, of the spheres as many as there are. Goal: no shape takes more than ten times as long as one "
-               "with protrusions (table 4).\n\n";
+  std::cout << "## 7. Shapes without protrusions\n\nAbout a million faces, " << number_of_segments
+            << " segments asked for. Goal: at most ten times the time for a face in table 3.\n\n";
   const std::vector<Segmentation_method> methods = methods_to_measure(options);
   std::vector<std::string> header = {"shape", "faces"};
   for (const Segmentation_method& method : methods)
-    for (const char* unit : {" [s]", " [us / face]"})
-      header.push_back(method.name + unit);
+    header.insert(header.end(), {method.name + " [s]", "[us / face]"});
   const Markdown_table table(header);
   for (const auto& [name, make] : shapes())
   {

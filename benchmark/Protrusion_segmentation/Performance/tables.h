@@ -18,17 +18,14 @@
 struct Options
 {
   std::string folder;
-  // every eighth model
-  std::string models = "2,10,18,26,34,42,50,58,66,74,82,90,98,106,114,122,130,138,146,154,162,170,178,186,"
-                       "194,202,210,218,226,234,242,250,258,282,290,298,306,314,322,330,338,346,354,362,"
-                       "370,378,386,394";
+  std::string models = "10-394/16";
   std::string methods = "Minimum-cut,Paper-GD";
-  std::vector<int> tables = {1, 2, 3, 4, 5, 6, 7, 8};
+  std::vector<int> tables = {1, 2, 3, 4, 5, 6, 7};
   std::size_t repetitions = 3;
   int large_model = 282; // 195,768 faces when subdivided
   int growth_model = 90;
   std::size_t largest_growth = 4100000;
-  std::size_t threads = 2;
+  std::vector<std::size_t> threads = {2};
   int gap_model = 170; // 99,984 faces when subdivided
   double gap_limit = 60; // seconds
 };
@@ -40,25 +37,22 @@ std::vector<Segmentation_method> methods_to_measure(const Options& options);
 // 1. Table II of the paper: its method with each distance.
 void print_distance_table(const Options& options, const Benchmark_folder& folder);
 
-// 2. Against CGAL's segmentation by shape diameters.
+// 2. Against CGAL's segmentation by shape diameters, and against reading the file of the mesh.
 void print_peer_table(const Options& options, const Benchmark_folder& folder);
 
-// 3. Against reading the file of the mesh.
-void print_reading_table(const Options& options, const Benchmark_folder& folder);
-
-// 4. One shape with four times as many faces in each step.
+// 3. One shape with four times as many faces in each step.
 void print_growth_table(const Options& options, const Benchmark_folder& folder);
 
-// 5. The parallel parts with one and with several threads.
+// 4. One thread against several.
 void print_thread_table(const Options& options, const Benchmark_folder& folder);
 
-// 6. The longest time in which a visitor is not asked whether to go on.
+// 5. The longest time in which a visitor is not asked whether to go on.
 void print_gap_table(const Options& options, const Benchmark_folder& folder);
 
-// 7. With Boost's shortest paths, and sections by CGAL's slicer.
+// 6. With Boost's shortest paths, and sections by CGAL's slicer.
 void print_library_table(const Options& options, const Benchmark_folder& folder);
 
-// 8. A million faces without protrusions.
+// 7. A million faces without protrusions.
 void print_shape_table(const Options& options, const Benchmark_folder& folder);
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_TABLES_H

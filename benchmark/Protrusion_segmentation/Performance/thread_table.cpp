@@ -19,6 +19,7 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -26,28 +27,38 @@ namespace PS = CGAL::Protrusion_segmentation;
 
 #ifdef CGAL_LINKED_WITH_TBB
 
-// A line for `call(tag)`: one thread against several.
+// A line for `call(tag)`: one thread against each number of threads.
 template <typename Call>
-void print_row(const Markdown_table& table, const std::string& name, const Options& options, Call call)
+void print_row(const Markdown_table& table,
+               const std::string& name,
+               const char* goal,
+               const Options& options,
+               Call call)
 {
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
   const double one =
     seconds_of(options.repetitions, [&] { call(CGAL::Sequential_tag()); }, Clock::WALL);
-  const double several =
-    seconds_of(options.repetitions, [&] { call(CGAL::Parallel_tag()); }, Clock::WALL);
-  table.row({name, number(1e3 * one), number(1e3 * several), number(one / several)});
+  std::vector<std::string> cells = {name, number(1e3 * one)};
+  for (const std::size_t threads : options.threads)
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    cells.push_back(
+      number(one / seconds_of(options.repetitions, [&] { call(CGAL::Parallel_tag()); }, Clock::WALL)));
+  }
+  cells.push_back(goal);
+  table.row(cells);
 }
 
 // A whole segmentation; the labels have to be the same.
 template <typename Method>
 void print_whole_row(const Markdown_table& table,
                      const std::string& name,
+                     const char* goal,
                      const Options& options,
                      const Model& model,
                      const Method& method)
 {
   Labels sequential(model.mesh.number_of_faces()), parallel(sequential);
-  print_row(table, name, options,
+  print_row(table, name, goal, options,
             [&](auto tag)
             {
               Labels& labels = PS::internal::is_parallel<decltype(tag)>() ? parallel : sequential;
@@ -64,7 +75,7 @@ void print_rows(const Options& options, const Benchmark_folder& folder, const Ma
   const PS::internal::Canonical_surface canonical(
     PS::internal::read_arrays(model.mesh, CGAL::parameters::default_values()));
   const PS::Indexed_surface& surface = canonical.surface();
-  print_row(table, "distances from the landmarks of LGD(5)", options,
+  print_row(table, "distances from the landmarks of LGD(5)", "1.8", options,
             [&](auto tag)
             {
               PS::Execution execution(0, PS::internal::is_parallel<decltype(tag)>());
@@ -76,7 +87,7 @@ void print_rows(const Options& options, const Benchmark_folder& folder, const Ma
   shortest_distances(0, distances);
   const PS::internal::Slots slots(distances);
   PS::internal::Plane_section section(surface);
-  print_row(table, "sections of 20 tips", options,
+  print_row(table, "sections of 20 tips", "1.8", options,
             [&](auto tag)
             {
               PS::Execution execution(0, PS::internal::is_parallel<decltype(tag)>());
@@ -84,19 +95,19 @@ void print_rows(const Options& options, const Benchmark_folder& folder, const Ma
                 PS::internal::sectional_diameter_histogram(surface, distances, slots, section, execution);
             });
 
-  print_whole_row(table, "the paper's method with LGD(5)", options, model,
+  print_whole_row(table, "the paper's method with LGD(5)", "1.8", options, model,
                   PS::Histogram_method(PS::Landmark_geodesic_distance(0.05)));
-  print_whole_row(table, "the paper's method with GD", options, model, PS::Histogram_method());
-  print_whole_row(table, "the default method", options, model, PS::Minimum_cut_method());
+  print_whole_row(table, "the paper's method with GD", "1.5", options, model, PS::Histogram_method());
+  print_whole_row(table, "the default method", "1.7", options, model, PS::Minimum_cut_method());
 
   Model large = folder.read_model(options.growth_model);
   while (large.mesh.number_of_faces() < 1000000)
   {
     CGAL::Subdivision_method_3::Loop_subdivision(large.mesh, CGAL::parameters::number_of_iterations(1));
-    print_whole_row(table, "the default method on " + std::to_string(large.mesh.number_of_faces()) + " faces", options, large,
+    print_whole_row(table, "the default method on " + std::to_string(large.mesh.number_of_faces()) + " faces", "1.7", options, large,
                     PS::Minimum_cut_method());
   }
-  print_whole_row(table, "the paper's method with GD on " + std::to_string(large.mesh.number_of_faces()) + " faces", options,
+  print_whole_row(table, "the paper's method with GD on " + std::to_string(large.mesh.number_of_faces()) + " faces", "1.5", options,
                   large, PS::Histogram_method());
 }
 
@@ -104,7 +115,7 @@ void print_rows(const Options& options, const Benchmark_folder& folder, const Ma
 
 void print_rows(const Options&, const Benchmark_folder&, const Markdown_table& table)
 {
-  table.row({"compiled without TBB", "", "", ""});
+  table.row({"compiled without TBB"});
 }
 
 #endif
@@ -113,11 +124,11 @@ void print_rows(const Options&, const Benchmark_folder&, const Markdown_table& t
 
 void print_thread_table(const Options& options, const Benchmark_folder& folder)
 {
-  const std::string threads = std::to_string(options.threads) + " threads";
-  std::cout << "## 5. One thread against " << threads
-            << "\n\nModel 393, and model " << options.growth_model
-            << " subdivided by Loop's rule. Goal with 2 threads: parts 1.8 times faster, the default method 1.7 times, the "
-               "paper's with GD 1.5 times.\n\n";
-  print_rows(options, folder,
-             Markdown_table({"part", "1 thread [ms]", threads + " [ms]", "times faster"}));
+  std::cout << "## 4. Threads\n\nModel 393, and model " << options.growth_model
+            << " subdivided by Loop's rule. Columns: how many times faster than with one thread.\n\n";
+  std::vector<std::string> header = {"part", "1 thread [ms]"};
+  for (const std::size_t threads : options.threads)
+    header.push_back(std::to_string(threads) + " threads");
+  header.push_back("goal, 2 threads");
+  print_rows(options, folder, Markdown_table(header));
 }

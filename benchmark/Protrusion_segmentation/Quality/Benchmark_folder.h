@@ -2,11 +2,13 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// A folder laid out as the Princeton Segmentation Benchmark:
+// A folder with the Princeton Segmentation Benchmark, as its archive is laid out or flat:
 //
-//   off/<model>.off                    the mesh
-//   seg/<model>/<model>_<human>.seg    a human's segmentation
-//   nSeg-ByModel.txt                   line <model>: the number of segments to ask for
+//   data/off/<model>.off                             or off/<model>.off: the mesh
+//   data/seg/Benchmark/<model>/<model>_<human>.seg   or seg/<model>/...: a human's segmentation
+//   util/parameters/nSeg-ByModel.txt                 or nSeg-ByModel.txt: line <model>: the number of segments to ask for
+//
+// The archive's folder data can be named as well.
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_BENCHMARK_FOLDER_H
 #define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_BENCHMARK_FOLDER_H
@@ -16,6 +18,7 @@
 #include "Segmentation_method.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -32,20 +35,22 @@ struct Model
 class Benchmark_folder
 {
 public:
-  // Throws `std::runtime_error` if the folder is not laid out as above.
+  // Throws `std::runtime_error`, which names the file and the cause, if the folder is not laid out as above.
   explicit Benchmark_folder(const std::string& path, const Model_classes& classes = Model_classes());
 
-  // The models that are there among those of the list, such as "2,4,10-50"; "" stands for all.
+  // The models that are there among those of the list, such as "2,4,10-50,60-400/8"; "" stands for all.
   // Throws `std::invalid_argument` if the list cannot be understood.
   std::vector<int> models(const std::string& list) const;
+
+  std::string mesh_file(int number) const;
 
   // Throws `std::runtime_error` if a file is missing or malformed.
   Model read_model(int number) const;
 
 private:
-  std::string m_path;
+  std::filesystem::path m_meshes, m_segmentations;
   Model_classes m_classes;
-  std::vector<int> m_models;                    // sorted
+  std::vector<int> m_models;                      // sorted
   std::vector<std::size_t> m_numbers_of_segments; // of model 1, 2, ...
 };
 

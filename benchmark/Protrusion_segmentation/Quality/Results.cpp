@@ -32,14 +32,6 @@ Scores Results::of_classes(std::size_t row, const std::vector<std::string>& clas
   return mean.value();
 }
 
-std::optional<Scores> Results::of_model(std::size_t row, int model) const
-{
-  for(const Model_results& m : m_models)
-    if(m.model == model)
-      return scores(m, row);
-  return std::nullopt;
-}
-
 std::size_t Results::models_without_cut_discrepancy(std::size_t row) const
 {
   return std::size_t(std::count_if(m_models.begin(), m_models.end(), [&](const Model_results& m)

@@ -10,7 +10,6 @@
 #include "Benchmark_folder.h"
 #include "Scores.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,9 +56,6 @@ public:
 
   // Mean over those of the classes of which there is a model, each counted once.
   Scores of_classes(std::size_t row, const std::vector<std::string>& class_names) const;
-
-  // Of one model, if it is there.
-  std::optional<Scores> of_model(std::size_t row, int model) const;
 
   std::size_t models_without_cut_discrepancy(std::size_t row) const;
   std::size_t models_with_the_segments_asked_for(std::size_t row) const;

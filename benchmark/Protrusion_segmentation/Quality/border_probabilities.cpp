@@ -9,6 +9,7 @@
 
 #include "Benchmark_folder.h"
 #include "Model_classes.h"
+#include "markdown_head.h"
 
 #include <CGAL/protrusion_segmentation.h>
 
@@ -233,13 +234,12 @@ void print_fit(const Borders& borders)
   double mean = 0;
   for (const Border& border : borders)
     mean += border.apart / double(borders.size());
-  std::cout << "\nTo be corrected by: bias " << coefficients[0] << " (" << deviation[0] << "), slope " << coefficients[1]
-            << " (" << deviation[1] << "), in brackets the standard deviation over samples of the models.\n\n"
-            << "| mean squared error | |\n|:--|--:|\n| of the probabilities | "
+  std::cout << "\nFitted bias " << coefficients[0] << " (standard deviation " << deviation[0] << "), slope "
+            << coefficients[1] << " (" << deviation[1] << "). Mean squared error "
             << mean_squared_error(borders, [](const Border& border) { return border.probability; })
-            << " |\n| corrected by a fit to the other classes | " << error_on_other_classes(borders)
-            << " |\n| of their mean for all | " << mean_squared_error(borders, [mean](const Border&) { return mean; })
-            << " |\n";
+            << ", corrected by a fit to the\nother classes " << error_on_other_classes(borders)
+            << ", of one probability for all borders "
+            << mean_squared_error(borders, [mean](const Border&) { return mean; }) << ".\n";
 }
 
 } // namespace
@@ -247,9 +247,10 @@ void print_fit(const Borders& borders)
 int main(int argc, char** argv)
 {
   CLI::App app("Compares the probabilities of borders with what people do.");
-  std::string folder, models, classes;
-  app.add_option("--folder", folder, "benchmark: off/, seg/ and nSeg-ByModel.txt")->required();
-  app.add_option("--models", models, "such as 2,4,10-50 (default: all that are there)");
+  std::string title = "Probabilities of borders", folder, models, classes;
+  app.add_option("--folder", folder, "unpacked archive of the benchmark")->required();
+  app.add_option("--title", title, "heading of what is printed");
+  app.add_option("--models", models, "such as 2,4,10-50,60-400/8 (default: all that are there)");
   app.add_option("--classes", classes, "such as \"People=1-200,Rigged=201-300\" (default: Princeton's)");
   CLI11_PARSE(app, argc, argv);
   try
@@ -259,6 +260,7 @@ int main(int argc, char** argv)
     for (const int number : benchmark.models(models))
       add_borders_of_model(benchmark, number, borders);
     std::cout << std::fixed << std::setprecision(3);
+    write_head(std::cout, "##", title, "border_probabilities", argc, argv);
     print_table(borders);
     print_fit(borders);
     return EXIT_SUCCESS;

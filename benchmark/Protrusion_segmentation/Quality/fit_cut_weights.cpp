@@ -240,8 +240,8 @@ int main(int argc, char** argv)
   CLI::App app("Fits the weights of the clues of cuts to people's segmentations.");
   std::string folder, models, classes;
   std::size_t rounds = 12, samples = 10;
-  app.add_option("--folder", folder, "benchmark: off/, seg/ and nSeg-ByModel.txt")->required();
-  app.add_option("--models", models, "such as 2,4,10-50 (default: all that are there)");
+  app.add_option("--folder", folder, "unpacked archive of the benchmark")->required();
+  app.add_option("--models", models, "such as 2,4,10-50,60-400/8 (default: all that are there)");
   app.add_option("--classes", classes, "such as \"People=1-200,Rigged=201-300\" (default: Princeton's)");
   app.add_option("--rounds", rounds, "over all weights")->check(CLI::PositiveNumber)->capture_default_str();
   app.add_option("--samples", samples, "of the models, to see the spread")->check(CLI::PositiveNumber)->capture_default_str();

@@ -8,8 +8,8 @@
 //   princeton_benchmark --folder FOLDER [--models 2,4,10-50] [--methods K-Means,Voronoi]
 //                       [--segmentations NAME=FOLDER] [--threads N] [--seed N] [--output FOLDER] [--sheets]
 //
-// prints the tables, and writes them with one CSV file by model and one by class to the output
-// folder, with --sheets also a page of pictures for each method.
+// prints tables in Markdown, and writes CSV files to the output folder, with --sheets also a page of pictures for each
+// method.
 
 #include "Benchmark_folder.h"
 #include "Model_evaluator.h"
@@ -17,6 +17,7 @@
 #include "Segmentation_folder.h"
 #include "contact_sheet.h"
 #include "contestants.h"
+#include "markdown_head.h"
 #include "methods.h"
 #include "reports.h"
 
@@ -36,6 +37,7 @@
 
 struct Options
 {
+  std::string title = "Quality";
   std::string folder;
   std::string models;
   std::string methods;
@@ -45,6 +47,7 @@ struct Options
   std::string segmentations_output;
   unsigned int threads = 1;
   unsigned int seed = 0;
+  bool by_class = false;
   bool sheets = false;
   bool list_methods = false;
 };
@@ -188,8 +191,6 @@ void write_outputs(const Options& options, const Benchmark_folder& folder, const
                [&](std::ostream& out) { write_classes_csv(out, results); });
   write_output(options.output, "differences.csv",
                [&](std::ostream& out) { write_differences_csv(out, results); });
-  write_output(options.output, "tables.md",
-               [&](std::ostream& out) { write_markdown(out, results); });
   if(options.sheets)
   {
     write_output(options.output, "all_methods.html", [&](std::ostream& out)
@@ -200,7 +201,7 @@ void write_outputs(const Options& options, const Benchmark_folder& folder, const
   }
 }
 
-void run(const Options& options)
+void run(const Options& options, int argc, char** argv)
 {
   const std::vector<Contestant> contestants = chosen_contestants(options.methods, options.segmentations);
   std::vector<std::string> names;
@@ -210,7 +211,10 @@ void run(const Options& options)
   const Benchmark_folder folder(options.folder,
                                 options.classes.empty() ? Model_classes() : Model_classes(options.classes));
   const Results results(names, Runner(folder, contestants, options).run());
-  write_markdown(std::cout, results);
+  write_head(std::cout, "#", options.title, "princeton_benchmark", argc, argv);
+  write_means(std::cout, results);
+  if(options.by_class)
+    write_by_class(std::cout, results);
   if(!options.output.empty())
     write_outputs(options, folder, results);
 }
@@ -220,8 +224,9 @@ int main(int argc, char** argv)
   Options options;
   CLI::App app("Measures segmentation methods on the Princeton Segmentation Benchmark.",
                "princeton_benchmark");
-  app.add_option("--folder", options.folder, "benchmark: off/, seg/ and nSeg-ByModel.txt");
-  app.add_option("--models", options.models, "such as 2,4,10-50 (default: all that are there)");
+  app.add_option("--folder", options.folder, "unpacked archive of the benchmark");
+  app.add_option("--title", options.title, "heading of what is printed");
+  app.add_option("--models", options.models, "such as 2,4,10-50,60-400/8 (default: all that are there)");
   app.add_option("--methods", options.methods, "such as K-Means,Voronoi (default: all but the slowest)");
   app.add_option("--segmentations", options.segmentations,
                  "NAME=FOLDER: <model>.seg files that any program made, as a further method; repeatable")
@@ -230,9 +235,10 @@ int main(int argc, char** argv)
                  "of the models, such as People=1-200,Animals=201-300 (default: Princeton's)");
   app.add_option("--threads", options.threads, "models at a time (default: 1)");
   app.add_option("--seed", options.seed, "of what is random (default: 0)");
-  app.add_option("--output", options.output, "folder for tables.md, models.csv, classes.csv, differences.csv");
+  app.add_option("--output", options.output, "folder for models.csv, classes.csv, differences.csv");
   app.add_option("--write-segmentations", options.segmentations_output,
                  "folder for a folder of each method's segmentations and times, as --segmentations reads them");
+  app.add_flag("--by-class", options.by_class, "print a table of the classes as well");
   app.add_flag("--sheets", options.sheets, "write a page of pictures for each method as well");
   app.add_flag("--list-methods", options.list_methods, "print the names of the methods");
   CLI11_PARSE(app, argc, argv);
@@ -242,8 +248,10 @@ int main(int argc, char** argv)
     if(options.list_methods)
       for(const Segmentation_method& method : all_methods())
         std::cout << method.name << "\n";
+    else if(options.folder.empty())
+      throw std::invalid_argument("--folder is missing");
     else
-      run(options);
+      run(options, argc, argv);
   }
   catch(const std::exception& exception)
   {

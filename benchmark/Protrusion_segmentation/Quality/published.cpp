@@ -94,29 +94,10 @@ std::string published_name(Published_method method)
   return names[std::size_t(method)];
 }
 
-std::optional<double> published_relative(Score score, const std::string& class_name,
-                                         Published_method method)
-{
-  const std::optional<Entry> found = entry(score, class_name);
-  return found ? std::optional<double>(found->relative(method)) : std::nullopt;
-}
-
 std::optional<double> published_absolute(Score score, const std::string& class_name,
                                          Published_method method)
 {
   const std::optional<Entry> found = entry(score, class_name);
   return found ? std::optional<double>(found->human * (1 + found->relative(method)))
                : std::nullopt;
-}
-
-const std::vector<Published_model_scores>& published_model_scores()
-{
-  static const std::vector<Published_model_scores> scores = {
-    {123, "RandCuts", 0.203, 0.218, 0.116}, {123, "K-Means", 0.190, 0.175, 0.233},
-    {123, "GD", 0.086, 0.108, 0.285},       {123, "LGD(1)", 0.067, 0.081, 0.191},
-    {123, "LGD(5)", 0.076, 0.093, 0.255},   {123, "LGD(10)", 0.085, 0.106, 0.285},
-    {148, "RandCuts", 0.341, 0.526, 0.326}, {148, "K-Means", 0.358, 0.551, 0.537},
-    {148, "GD", 0.029, 0.064, 0.122},       {148, "LGD(1)", 0.036, 0.070, 0.112},
-    {148, "LGD(5)", 0.030, 0.057, 0.093},   {148, "LGD(10)", 0.024, 0.051, 0.090}};
-  return scores;
 }

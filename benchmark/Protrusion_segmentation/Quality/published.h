@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The figures of the paper's tables III to VII, to be printed beside ours.
+// The figures of the paper's tables III to V, to be printed beside ours.
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_PUBLISHED_H
 #define CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_PUBLISHED_H
@@ -22,25 +22,10 @@ constexpr Published_method published_methods[] =
   {Published_method::protrusion, Published_method::randomized_cuts, Published_method::k_means};
 std::string published_name(Published_method method);
 
-// Tables III (cut discrepancy), IV (Hamming distance) and V (Rand index error): the difference to
-// the humans relative to the humans' error. The paper prints it without its sign; here it has one
-// where other sources tell it. No value for other scores and classes.
-std::optional<double> published_relative(Score score, const std::string& class_name,
-                                         Published_method method);
-
-// The same as an absolute error, by means of the humans' error that the benchmark publishes.
+// Tables III (cut discrepancy), IV (Hamming distance) and V (Rand index error). The paper prints differences to people's
+// errors, relative to these and without a sign; here they have one where other sources tell it, and are made absolute by
+// the errors of people that the benchmark publishes. No value for other scores and classes.
 std::optional<double> published_absolute(Score score, const std::string& class_name,
                                          Published_method method);
-
-// Tables VI and VII: absolute errors of single models.
-struct Published_model_scores
-{
-  int model;
-  const char* method;
-  double hamming_distance;
-  double rand_index_error;
-  double cut_discrepancy;
-};
-const std::vector<Published_model_scores>& published_model_scores();
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_PUBLISHED_H

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <iomanip>
-#include <map>
 
 namespace {
 
@@ -41,26 +40,21 @@ void write_line(std::ostream& out, const std::string& method, const std::vector<
   out << " | " << sum << " | " << longest << " |\n";
 }
 
-std::string without_bars(std::string text)
-{
-  std::replace_if(text.begin(), text.end(), [](char c) { return c == '|' || c == '\n'; }, ' ');
-  return text;
-}
-
 } // namespace
 
-void write_tables(std::ostream& out, const std::vector<Run>& runs)
+void write_table(std::ostream& out, const std::vector<Run>& runs)
 {
   out << std::fixed << std::setprecision(1);
   out << "| method | valid | invalid | refused | crashed | over the limit | seconds | longest |\n"
       << "|---|--:|--:|--:|--:|--:|--:|--:|\n";
   for (const std::string& method : methods_of(runs))
     write_line(out, method, runs);
-  out << "\nAll runs that are not valid:\n\n| method | file | result | cause |\n|---|---|---|---|\n";
-  for (const std::string& method : methods_of(runs))
-    for (const Run& run : runs)
-      if (run.method == method && run.outcome.result != Result::VALID)
-        out << "| " << method << " | `" << run.file << "` | "
-            << result_names[std::size_t(run.outcome.result)] << " | " << without_bars(run.outcome.text)
-            << " |\n";
+}
+
+void write_problems(std::ostream& out, const std::vector<Run>& runs)
+{
+  for (const Run& run : runs)
+    if (run.outcome.result != Result::VALID)
+      out << run.method << ", " << run.file << ": " << result_names[std::size_t(run.outcome.result)] << " "
+          << run.outcome.text << "\n";
 }

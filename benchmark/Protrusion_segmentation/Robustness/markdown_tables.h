@@ -18,7 +18,10 @@ struct Run
   Outcome outcome;
 };
 
-// A line for each method, then a line for each run that is not valid, by method.
-void write_tables(std::ostream& out, const std::vector<Run>& runs);
+// A line for each method.
+void write_table(std::ostream& out, const std::vector<Run>& runs);
+
+// A line for each run that is not valid.
+void write_problems(std::ostream& out, const std::vector<Run>& runs);
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_BENCHMARK_MARKDOWN_TABLES_H

@@ -9,6 +9,7 @@
 // crashes, results that are no segmentation, refusals and their reasons, and runs that take too long.
 
 #include "guarded_run.h"
+#include "markdown_head.h"
 #include "markdown_tables.h"
 #include "named_methods.h"
 #include "peers.h"
@@ -33,6 +34,7 @@ namespace fs = std::filesystem;
 
 struct Options
 {
+  std::string title = "Robustness";
   std::string folder;
   std::string methods = "Minimum-cut,Minimum-cut-automatic,Minimum-cut-DD(10),Minimum-cut-heat,Paper-GD,"
                         "Paper-GD-automatic,Paper-LGD(5),Paper-DD(10),Paper-heat,SDF-5-0.26";
@@ -125,6 +127,7 @@ int main(int argc, char** argv)
   Options options;
   CLI::App app("Looks for crashes, invalid results, refusals and hangs.", "robustness_benchmark");
   app.add_option("--folder", options.folder, "of mesh files")->required()->check(CLI::ExistingDirectory);
+  app.add_option("--title", options.title, "heading of what is printed")->capture_default_str();
   app.add_option("--methods", options.methods, "names from the quality benchmark")->capture_default_str();
   app.add_option("--every", options.every, "take only each N-th file")
     ->check(CLI::PositiveNumber)
@@ -139,7 +142,10 @@ int main(int argc, char** argv)
   CLI11_PARSE(app, argc, argv);
   try
   {
-    write_tables(std::cout, run_all(options));
+    const std::vector<Run> runs = run_all(options);
+    write_problems(std::cerr, runs);
+    write_head(std::cout, "##", options.title, "robustness_benchmark", argc, argv);
+    write_table(std::cout, runs);
     return EXIT_SUCCESS;
   }
   catch (const std::exception& error)
