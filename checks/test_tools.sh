@@ -346,8 +346,8 @@ test_number_of_segments()
     expect_text stderr "of 4 segments"
   fi
   expect 0 "$segment" "$data/tetrahedron.off" --json -
-  expect_text stdout '"note": "found no evident protrusion'
-  expect_text stderr "found no evident protrusion"
+  expect_text stdout '"note": "found no protrusion'
+  expect_text stderr "found no protrusion"
   expect 1 "$segment" "$data/tetrahedron.off" -k 5 -o outputs/five.seg
   expect_one_line "tetrahedron.off: has 4 faces"
   [ ! -e outputs/five.seg ] || fail "$command: wrote an output"
