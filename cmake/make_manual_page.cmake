@@ -16,14 +16,15 @@ string(TOLOWER "${first_letter}" first_letter)
 set(usage "${CMAKE_MATCH_2}")
 set(rest "\n${CMAKE_MATCH_3}")
 
-# Headings begin in the first column, options in the third; descriptions are lines of their own or follow after blanks. Of
-# their lines, those that begin with a choice and a colon stay lines.
-string(REGEX REPLACE "\n      +(\\.?[a-z\\\\-]+: |\\\\-\\\\-)" "\n.br\n\\1" rest "${rest}")
+# Headings of groups, examples and exit codes begin in the first column, options in the third. Descriptions are lines of
+# their own, or follow after blanks. Of their lines, those that begin with a choice and a colon stay lines.
+string(REGEX REPLACE "\n([A-Z][A-Za-z' ]+):\n" "\n.SS \\1\n" rest "${rest}")
+string(REGEX REPLACE "\n\\.SS (Examples|Exit status)\n" "\n.SH \\1\n" rest "${rest}")
+string(REGEX REPLACE "\n      +(\\.?[a-z\\\\-]+: )" "\n.br\n\\1" rest "${rest}")
 string(REGEX REPLACE "\n      +" "\n" rest "${rest}")
 string(REGEX REPLACE "\n  ([^ \n][^\n]*)" "\n.TP\n.B \\1" rest "${rest}")
 string(REGEX REPLACE "(\n\\.B [^\n]*[^ \n])   *([^ \n])" "\\1\n\\2" rest "${rest}")
 string(REGEX REPLACE "(\n\\.B [^\n]*)\n\\.br\n" "\\1\n" rest "${rest}")
-string(REGEX REPLACE "\n([A-Z][a-z]+):\n" "\n.SH \\1\n" rest "${rest}")
 string(REGEX REPLACE "\n\n+" "\n" rest "${rest}")
 string(REGEX REPLACE "\n\\.br\n([.'])" "\n.br\n\\\\&\\1" rest "${rest}")
 
@@ -32,7 +33,8 @@ file(WRITE ${OUTPUT} ".TH ${title} 1 \"\" \"Protrusion_segmentation ${VERSION}\"
 .SH Name
 ${NAME} \\- ${first_letter}${purpose}
 .SH Synopsis
-${usage}${rest}.SH See also
+${usage}
+.SH Options${rest}.SH See also
 Where it is installed as a Debian package, examples in C++ are in /usr/share/doc/protrusion\\-segmentation/examples, and
 the manual is the package protrusion\\-segmentation\\-doc.
 ")

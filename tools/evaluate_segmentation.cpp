@@ -8,6 +8,7 @@
 // table for people, as JSON for programs. All scores are those of the program of the Princeton Segmentation
 // Benchmark, so that they can stand beside published ones.
 
+#include "command_line/Help_formatter.h"
 #include "command_line/tool_main.h"
 #include "rand_index_error_of_benchmark.h"
 #include "reading/read_mesh.h"
@@ -159,19 +160,33 @@ void evaluate(const Command_line& command_line)
   tool::finish_standard_output();
 }
 
+void add_options(CLI::App& app, Command_line& command_line)
+{
+  app
+    .add_option("MESH", command_line.mesh,
+                "a mesh.\nFormats: " + tool::known_formats() + "; each also compressed by gzip (.gz).")
+    ->required()
+    ->type_name("");
+  app.add_option("SEGMENTATION", command_line.segmentation, "the segmentation to score: one segment id a line (.seg)")
+    ->required()
+    ->type_name("");
+  app.add_option("REFERENCE", command_line.references, "segmentations to compare it with")->required()->type_name("");
+  app
+    .add_option("--json", command_line.json,
+                "write JSON into FILE, or to the standard output, in place of the table")
+    ->expected(0, 1)
+    ->default_str("-")
+    ->type_name("[=FILE]")
+    ->group("Output");
+  tool::complete_help(app, "[OPTION...] MESH SEGMENTATION REFERENCE...", "Input",
+                      {{"evaluate_segmentation horse.obj mine.seg a.seg b.seg", "a table with a row for each reference"},
+                       {"evaluate_segmentation horse.obj mine.seg a.seg --json=scores.json", "the same as JSON"}});
+}
+
 int main(int argc, char** argv)
 {
   Command_line command_line;
-  CLI::App app("Scores a segmentation of a mesh against reference segmentations.",
-               "evaluate_segmentation");
-  app.add_option("mesh", command_line.mesh, "mesh: " + tool::known_formats() + ", each also compressed by gzip (.gz)")
-    ->required()->type_name("MESH");
-  app.add_option("segmentation", command_line.segmentation, "its segmentation: one id a line")
-    ->required()->type_name("SEGMENTATION");
-  app.add_option("references", command_line.references, "reference segmentations")
-    ->required()->type_name("REFERENCE");
-  app.add_option("--json", command_line.json,
-                 "write JSON to FILE, or to the standard output, instead of the table")
-    ->expected(0, 1)->default_str("-")->type_name("[FILE]");
+  CLI::App app("Scores a segmentation of a mesh against reference segmentations.", "evaluate_segmentation");
+  add_options(app, command_line);
   return tool::main(app, argc, argv, [&]() { evaluate(command_line); });
 }

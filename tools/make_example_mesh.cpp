@@ -9,6 +9,7 @@
 // The same arguments give the same mesh.
 
 #include "command_line/Error.h"
+#include "command_line/Help_formatter.h"
 #include "command_line/integer_option.h"
 #include "command_line/tool_main.h"
 #include "example_meshes/mesh_of_shape.h"
@@ -34,11 +35,18 @@ int main(int argc, char** argv)
   std::string name, file;
   std::size_t faces = 24000;
   CLI::App app("Makes a mesh to try a segmentation on.", "make_example_mesh");
-  app.add_option("SHAPE", name, "The shape")->required()->check(CLI::IsMember(shapes));
-  app.add_option("FILE", file, "The mesh file (.off, .ply, .obj, .stl)")->required();
-  app.add_option("--faces", faces, "The least number of faces; there are up to a quarter more")
+  app.add_option("SHAPE", name, "octopus, teddy, hand, horse or chair")
+      ->required()
+      ->check(CLI::IsMember(shapes).description(""))
+      ->type_name("");
+  app.add_option("FILE", file, "the file to write: .off, .ply, .obj or .stl")->required()->type_name("");
+  app.add_option("--faces", faces, "least number of faces, from 1000 to 1000000; there are up to a quarter more")
       ->transform(tool::integer("number of faces", 1000, 1000000))
-      ->capture_default_str();
+      ->type_name("N")
+      ->capture_default_str()
+      ->group("Options");
+  tool::complete_help(app, "[OPTION...] SHAPE FILE", "Operands",
+                      {{"make_example_mesh octopus octopus.off", "an octopus of some 24000 faces"}});
   return tool::main(app, argc, argv, [&]() {
     const tool::Mesh mesh = example_shapes::mesh_of_shape(shapes.at(name)(), faces);
     tool::write_mesh(file, mesh);

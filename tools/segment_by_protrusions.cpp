@@ -2,10 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// segment_by_protrusions INPUT... [OPTION...]
+// segment_by_protrusions [OPTION...] INPUT...
 //
-// Splits a surface mesh into a body and its protrusions, and writes the segments in any of several
-// formats; or does so with many meshes.
+// Splits a surface mesh into a body and its protrusions, or many meshes, and writes the segments.
 
 #include "collection/segment_collection.h"
 #include "command_line/Progress_bar.h"
@@ -23,15 +22,19 @@
 #include <iostream>
 #include <string>
 
-namespace
-{
+namespace {
 
 constexpr const char* program = "segment_by_protrusions";
+
+void warn(const tool::Command_line& command_line, const std::string& text)
+{
+  std::cerr << program << ": " << command_line.inputs.front() << ": " << text << std::endl;
+}
 
 void tell(const tool::Command_line& command_line, const std::string& text)
 {
   if (!command_line.is_quiet)
-    std::cerr << program << ": " << command_line.inputs.front() << ": " << text << std::endl;
+    warn(command_line, text);
 }
 
 void tell_if_any(const tool::Command_line& command_line, const std::string& note)
@@ -46,15 +49,22 @@ void print_summary(const tool::Command_line& command_line, const tool::Findings&
   const auto& outputs = command_line.outputs;
   for (const std::string& name : outputs)
     if (tool::is_pattern(name))
-      tell_if_any(command_line, tool::note_on_further_parts(name, findings.segmentation.number_of_segments));
+      tell_if_any(command_line,
+                  tool::note_on_further_parts(name, findings.segmentation.number_of_segments));
   if (command_line.json == "-" || std::find(outputs.begin(), outputs.end(), "-") != outputs.end())
     return; // nothing else shall be on the standard output
-  std::cout << findings.input << ": " << tool::summary(findings) << "\n";
+  const bool is_anything_written = !outputs.empty() || !command_line.json.empty() ||
+                                   !command_line.report.empty() || !command_line.borders.empty();
+  std::cout << findings.input << ": " << tool::summary(findings)
+            << (is_anything_written ? "" : " (nothing written: see -o, --report)") << "\n";
   for (const std::string& name : outputs)
   {
     const std::size_t files = findings.segmentation.number_of_segments;
     std::cout << "wrote " << name
-              << (tool::is_pattern(name) ? " (" + std::to_string(files) + (files == 1 ? " file)" : " files)") : "") << "\n";
+              << (tool::is_pattern(name)
+                    ? " (" + std::to_string(files) + (files == 1 ? " file)" : " files)")
+                    : "")
+              << "\n";
   }
   for (const std::string& name : {command_line.json, command_line.report, command_line.borders})
     if (!name.empty())
@@ -63,7 +73,8 @@ void print_summary(const tool::Command_line& command_line, const tool::Findings&
 
 void segment_one(const tool::Command_line& command_line)
 {
-  tool::Output_names names = {command_line.outputs, command_line.report, command_line.json, command_line.borders};
+  tool::Output_names names = {command_line.outputs, command_line.report, command_line.json,
+                              command_line.borders};
   if (!command_line.caps.empty())
     names.caps = command_line.caps == "flat" ? tool::Caps::FLAT : tool::Caps::FAIRED;
   tool::Segmentation_options options = command_line.options;
@@ -80,6 +91,8 @@ void segment_one(const tool::Command_line& command_line)
   tool::write_findings(findings, names);
   if (!command_line.is_quiet)
     print_summary(command_line, findings);
+  else if (const std::string note = tool::note_on_missing_segments(findings); !note.empty())
+    warn(command_line, note);
   tool::finish_standard_output();
 }
 

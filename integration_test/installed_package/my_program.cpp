@@ -12,10 +12,7 @@ int main(int argc, char* argv[])
 {
   CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
   if (argc != 3 || !CGAL::IO::read_polygon_mesh(argv[1], mesh))
-  {
-    std::cerr << "usage: my_program MESH SEGMENTS, where MESH is a file that CGAL can read\n";
-    return EXIT_FAILURE;
-  }
+    return EXIT_FAILURE; // usage: my_program MESH SEGMENTS
   auto segments = mesh.add_property_map<CGAL::SM_Face_index, std::size_t>("f:segment").first;
   std::cout << CGAL::segmentation_via_protrusion_tips(mesh, segments) << " segments\n";
   return CGAL::IO::write_SEG(argv[2], mesh, segments) ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -8,9 +8,9 @@
 A mesh is given as vertices, an array of shape (n, 3), and faces: an array of shape (m, 3) for triangles, of shape
 (m, k) for polygons of k corners, or a sequence of polygons of any sizes. Corners are numbers of vertices, from 0.
 
-Every face has a label, in the order of the faces given. Faces that do not make up a surface are repaired as the
-command line tool does: vertices at one place count as one, faces are turned over, and at edges of more than two faces
-the surface is taken apart; degenerate and duplicate faces have the label of a neighbour or of their double.
+Every face gets a label, in the order of the faces given. Faces that are no surface are repaired: vertices at one place
+count as one, wrong orientations are reversed, and at edges of more than two faces two of them are joined. Degenerate
+faces get the label of a neighbour, duplicate faces that of the first copy.
 
 Arguments that make no sense raise ValueError, which names the argument and what it may be. While a function computes,
 other threads run, and Ctrl-C stops it with KeyboardInterrupt.
@@ -49,14 +49,14 @@ def segment(
     ----------
     vertices : (n, 3) array of coordinates
     faces : (m, 3) or (m, k) array of corners, or sequence of m polygons
-    number_of_segments : from 1 to m, where duplicate faces count once; by default as many as there are evident
-        protrusions
+    number_of_segments : from 1 to m, where duplicate faces count once; without it, segmentation stops
+        where no further cut is good enough
     method : "minimum-cut", minimum cuts along concave seams; or "paper", that of Aono, Wakida and Tatsuma
     distance : on the surface. By default that of the method: geodesic for "paper", and for "minimum-cut" one of its
-        own. "geodesic": shortest paths in the face dual graph; "landmark": the same by way of random landmarks;
-        "diffusion": how differently random walks spread; "heat": over the faces, by the heat method; "exact": over
-        the faces, exactly, which takes long on more than a few thousand faces
-    random_seed : of all that is random; the same seed gives the same labels
+        own. "geodesic": shortest paths in the face dual graph; "landmark": shortest paths by way of random
+        landmarks; "diffusion": how differently random walks spread; "heat": paths over the faces, by the heat method;
+        "exact": exact paths over the faces, which take long on more than a few thousand faces
+    random_seed : seed of all random choices; the same seed gives the same labels
 
     Returns
     -------

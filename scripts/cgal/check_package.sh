@@ -37,7 +37,7 @@ mapfile -t texts < <(printf '%s\n' "${files[@]}" | grep -vE '\.(png|svg|jpg)$')
 printf '%s\n' "${files[@]}" |
   grep -vxE "include/CGAL/(IO/SEG|protrusion_segmentation|segmentation_metrics)\.h|include/CGAL/$name/.*\.h" |
   grep -vxE "(test|examples|benchmark)/$name/(CMakeLists\.txt|([[:alnum:]_]+/)*[[:alnum:]_]+\.(cpp|h|md))|test/$name/data/.*" |
-  grep -vxE "doc/$name/(Doxyfile\.in|PackageDescription\.txt|$name\.txt|dependencies|examples\.txt)" |
+  grep -vxE "doc/$name/(Doxyfile\.in|PackageDescription\.txt|($name|How_it_works)\.txt|dependencies|examples\.txt)" |
   grep -vxE "doc/$name/(fig/[[:alnum:]_]+\.(png|svg|jpg)|Concepts/[[:alnum:]]+\.h)" |
   grep -vxE "package_info/$name/(copyright|dependencies|description\.txt|license\.txt|long_description\.txt|maintainer)" |
   none "CGAL has no such file"

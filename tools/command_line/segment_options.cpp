@@ -4,29 +4,22 @@
 
 #include "command_line/segment_options.h"
 
+#include "command_line/Help_formatter.h"
+#include "command_line/check_command_line.h"
 #include "command_line/integer_option.h"
-#include "reading/lower_case_extension.h"
 #include "reading/read_soup.h"
 #include "report/report.h"
 #include "segmentation/segment.h"
 #include "writing/outputs.h"
-#include "writing/part_names.h"
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
-#include <filesystem>
 #include <limits>
-#include <set>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 #include <vector>
 
-namespace tool
-{
-namespace
-{
+namespace tool {
+namespace {
 
 std::vector<std::string> names(const std::vector<Choice>& choices)
 {
@@ -44,244 +37,189 @@ std::string help(const std::string& text, const std::vector<Choice>& choices)
   return result;
 }
 
-// Options of a distance or a method that was not chosen would be ignored in silence.
-void check_meanings(const CLI::App& app, const std::vector<Choice>& choices, const std::string& chosen)
-{
-  for (const Choice& choice : choices)
-    for (const std::string& option : choice.options)
-      if (choice.name != chosen && app.count(option) > 0)
-        throw std::invalid_argument(option + " has no meaning with " +
-                                    (chosen.empty() ? "the default" : chosen) + ", only with " + choice.name);
-}
-
 // More of them would wait for each other, and the system refuses millions.
 constexpr std::size_t most_threads = 1024;
 
-// Words that belong to an option, and were taken for meshes.
-void check_inputs(const Command_line& command_line)
+void add_segmentation_options(CLI::App& app, Command_line& command_line)
 {
-  std::error_code ignored;
-  for (const std::string& input : command_line.inputs)
-    if (!std::filesystem::exists(input, ignored))
-    {
-      if (!command_line.caps.empty() && (input == "flat" || input == "faired"))
-        throw std::invalid_argument("'" + input + "' is no mesh; caps are chosen by --close=" + input);
-      if (is_pattern(input))
-        throw std::invalid_argument("'" + input + "' is no mesh; an output is named by -o");
-    }
-}
-
-bool is_collection(const Command_line& command_line)
-{
-  std::error_code ignored;
-  return !command_line.output_folder.empty() || command_line.inputs.size() > 1 ||
-         std::filesystem::is_directory(command_line.inputs.front(), ignored);
-}
-
-void check_collection(const CLI::App& app, const Command_line& command_line)
-{
-  const auto refuse = [&](const std::vector<const char*>& options, const std::string& reason)
-  {
-    for (const char* option : options)
-      if (app.count(option) > 0)
-        throw std::invalid_argument(option + reason);
-  };
-  if (!is_collection(command_line))
-    return refuse({"--format", "--jobs", "--again"}, " has no meaning without --output-folder");
-  if (command_line.output_folder.empty())
-    throw std::invalid_argument("several meshes or a folder of meshes need --output-folder");
-  refuse({"--output", "--json", "--report", "--borders", "--tips"}, " has no meaning with --output-folder");
-  for (const std::string& format : command_line.formats)
-    check_output_format(format);
-  for (const std::string& input : command_line.inputs)
-    if (input == "-")
-      throw std::invalid_argument("the standard input is one mesh, which needs no --output-folder");
-}
-
-void check_outputs(const Command_line& command_line)
-{
-  const std::vector<std::string>& outputs = command_line.outputs;
-  for (const std::string& name : outputs)
-    check_output_name(name);
-  if (!command_line.caps.empty() && std::none_of(outputs.begin(), outputs.end(), is_pattern))
-    throw std::invalid_argument("--close has no meaning without a %d in the name of an output");
-  if (!command_line.borders.empty() && lower_case_extension(command_line.borders) != ".vtp")
-    throw std::invalid_argument("--borders: '" + command_line.borders + "' has not the extension .vtp");
-}
-
-std::string place_of(const std::string& name)
-{
-  return name == "-" ? name : place_of_file(name).string();
-}
-
-// No file may be written twice, or take the place of one that is read, by whatever names.
-void check_names(const Command_line& command_line)
-{
-  std::vector<std::string> names, patterns;
-  for (const std::string& name : command_line.outputs)
-    (is_pattern(name) ? patterns : names).push_back(name);
-  for (const std::string& name : {command_line.json, command_line.report, command_line.borders})
-    if (!name.empty())
-      names.push_back(name);
-  for (const std::string& name : {command_line.inputs.front(), command_line.tips})
-    if (!name.empty() && name != "-") // which may be an output besides
-      names.push_back(name);
-
-  if (command_line.inputs.front() == "-" && command_line.tips == "-")
-    throw std::invalid_argument("'-' is named twice");
-  std::set<std::string> places;
-  for (const std::string& name : names)
-    if (!places.insert(place_of(name)).second)
-      throw std::invalid_argument("'" + name + "' is named twice");
-  for (std::size_t i = 0; i < patterns.size(); ++i)
-  {
-    for (const std::string& name : names)
-      if (name != "-" && gives_part(patterns[i], name))
-        throw std::invalid_argument("'" + name + "' is named twice: '" + patterns[i] + "' can give it, too");
-    for (std::size_t j = 0; j < i; ++j)
-      if (const auto name = common_part(patterns[j], patterns[i]))
-        throw std::invalid_argument("'" + *name + "' is named twice: by '" + patterns[j] + "' and '" + patterns[i] + "'");
-  }
-}
-
-constexpr const char* no_report = "three.js was not found when this program was built";
-
-void check(const CLI::App& app, const Command_line& command_line)
-{
-  try
-  {
-    check_meanings(app, methods(), command_line.options.method);
-    check_meanings(app, distances(), command_line.options.distance);
-    check_options(command_line.options);
-    check_inputs(command_line);
-    check_collection(app, command_line);
-    check_outputs(command_line);
-    check_names(command_line);
-    if (!command_line.report.empty() && !can_write_report())
-      throw std::invalid_argument(std::string("--report: ") + no_report);
-  }
-  catch (const std::invalid_argument& error)
-  {
-    throw CLI::ValidationError(error.what());
-  }
-}
-
-void add_segmentation_options(CLI::App& app, Segmentation_options& options)
-{
+  const char* group = "Segmentation";
+  Segmentation_options& options = command_line.options;
   app
     .add_option("-k,--segments", options.number_of_segments,
-                "number of segments; default: as many as there are evident protrusions")
+                "number of segments. Without it, segmentation stops where no further cut is good enough.")
     ->transform(integer("number of segments", 1))
-    ->type_name("N");
+    ->type_name("N")
+    ->group(group);
+  app
+    .add_option(
+      "--tips", command_line.tips,
+      "cut off only the protrusions of these faces: {\"tips\": [12, 345]}, as the page of --report saves "
+      "them. Not with -k.")
+    ->excludes("--segments")
+    ->type_name("FILE")
+    ->group(group);
   app.add_option("--method", options.method, help("how borders are found", methods()))
     ->check(CLI::IsMember(names(methods())).description(""))
     ->type_name("NAME")
-    ->capture_default_str();
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--seed", options.seed, "seed of all random choices; the same seed gives the same result")
+    ->transform(integer("seed", 0, (std::numeric_limits<decltype(options.seed)>::max)()))
+    ->type_name("N")
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--threads", options.threads,
+                std::string("number of threads, at most 1024; does not change the result") +
+                  (can_use_threads() ? "" : "\nNot available: oneTBB was not found at build time."))
+    ->transform(integer("number of threads", 1, most_threads))
+    ->type_name("N")
+    ->capture_default_str()
+    ->group(group);
+}
+
+void add_options_of_distances(CLI::App& app, Segmentation_options& options)
+{
+  const char* group = "The paper's method";
   app
     .add_option(
       "--distance", options.distance,
-      help("distance on the surface; default: geodesic for paper, for minimum-cut its own", distances()))
+      help(
+        "distance on the surface. The default is geodesic for --method paper; --method minimum-cut has "
+        "a distance of its own.",
+        distances()))
     ->check(CLI::IsMember(names(distances())).description(""))
-    ->type_name("NAME");
-  app.add_option("--landmarks", options.landmarks, "share or number of faces that are landmarks")
+    ->type_name("NAME")
+    ->group(group);
+  app.add_option("--landmarks", options.landmarks, "share or number of the faces that are landmarks")
     ->type_name("N%|N")
-    ->capture_default_str();
+    ->capture_default_str()
+    ->group(group);
   app.add_option("--eigenpairs", options.eigenpairs, "number of terms of the diffusion distance")
     ->transform(integer("number of terms", 1))
     ->type_name("N")
-    ->capture_default_str();
+    ->capture_default_str()
+    ->group(group);
   app
-    .add_option("--time", options.time,
-                "of the diffusion distance, from 0; at 1 the slowest term has decayed to 1/e")
+    .add_option(
+      "--time", options.time,
+      "time of the diffusion distance, 0 or more; after a time of 1 the slowest term has decayed to 1/e")
     ->type_name("T")
-    ->capture_default_str();
-  app.add_option("--seed", options.seed, "of all that is random")
-    ->transform(integer("seed", 0, (std::numeric_limits<decltype(options.seed)>::max)()))
-    ->type_name("N")
-    ->capture_default_str();
+    ->capture_default_str()
+    ->group(group);
+}
+
+void add_options_of_meshes(CLI::App& app, Command_line& command_line, const char* group)
+{
+  std::string outputs =
+    "write the segments; may be repeated. With %d or %03d in the name, a mesh is written for each "
+    "segment, in a folder that is made if needed. - is the standard output, in SEG. The extension "
+    "tells the format:";
+  for (const std::string& format : output_formats())
+    outputs += "\n" + format;
+  app.add_option("-o,--output", command_line.outputs, outputs)
+    ->allow_extra_args(false)
+    ->type_name("FILE")
+    ->group(group);
   app
-    .add_option("--threads", options.threads,
-                std::string("that segment a mesh; the segments are the same with any number of them") +
-                  (can_use_threads() ? "" : "; not here: oneTBB was not found when this program was built"))
-    ->transform(integer("number of threads", 1, most_threads))
-    ->type_name("N")
-    ->capture_default_str();
-  app.add_flag("--smooth-borders", options.are_borders_smooth,
-               "move borders, which run along edges, to smooth lines, and cut faces along them: meshes then have more\n"
-               "faces, each with the number of the old one; .seg has for each old face the segment of its largest piece");
+    .add_flag(
+      "--close{flat}", command_line.caps,
+      "close the meshes of -o with %d where they were cut off. If the input is closed, so are they.\n"
+      "flat: caps that two meshes share; volumes add up to that of the input (the default)\n"
+      "faired: rounded caps, separate for each mesh; slow for long rims")
+    ->check(CLI::IsMember({"flat", "faired"}).description(""))
+    ->option_text("[=CAPS]")
+    ->group(group);
+  app
+    .add_flag("--smooth-borders", command_line.options.are_borders_smooth,
+              "cut faces along smooth borders. Meshes then have more faces, each with the number of its "
+              "old face; "
+              "SEG has the segment of the largest piece of each old face.")
+    ->group(group);
 }
 
 void add_output_options(CLI::App& app, Command_line& command_line)
 {
-  std::string outputs = "write the segments, as the extension says; may be repeated;\n"
-                        "with %d or %03d in the name one mesh per segment, in a folder that is made if it is not there, as\n"
-                        "no other is; - is the standard output, in SEG";
-  for (const std::string& format : output_formats())
-    outputs += "\n" + format;
-  app.add_option("-o,--output", command_line.outputs, outputs)->allow_extra_args(false)->type_name("FILE");
+  const char* group = "Output";
+  add_options_of_meshes(app, command_line, group);
   app
-    .add_flag("--close{flat}", command_line.caps,
-              "close the meshes of segments where they were cut off: all are closed if the input is.\n"
-              "--close or --close=flat: with caps that two meshes share; their volumes add up to that of the input\n"
-              "--close=faired: with round caps, of each mesh its own")
-    ->check(CLI::IsMember({"flat", "faired"}).description(""));
+    .add_option(
+      "--borders", command_line.borders,
+      "write the borders as lines of VTK (.vtp), with both segments, length, value and probability")
+    ->type_name("FILE")
+    ->group(group);
   app
-    .add_option("--borders", command_line.borders,
-                "write the borders between segments as lines of VTK (.vtp), with both segments, length, value and\n"
-                "probability of each")
-    ->type_name("FILE");
-  app.add_option("--json", command_line.json, "write what was found as JSON, - is the standard output")
-    ->type_name("FILE");
+    .add_option("--json", command_line.json, "write all that was found as JSON; - is the standard output")
+    ->type_name("FILE")
+    ->group(group);
   app
-    .add_option("--report", command_line.report,
-                "write a page for the browser: the mesh in 3D, to turn and to click on, and what is\n"
-                "known of each segment" +
-                  (can_write_report() ? "" : std::string("; not here: ") + no_report))
-    ->type_name("FILE");
-  app.add_flag("--quiet", command_line.is_quiet, "print errors only");
+    .add_option(
+      "--report", command_line.report,
+      std::string("write a page for the browser: the mesh in 3D, and what is known of each segment") +
+        (can_write_report() ? "" : "\nNot available: three.js was not found at build time."))
+    ->type_name("FILE")
+    ->group(group);
+  app
+    .add_flag("--quiet", command_line.is_quiet,
+              "print nothing but errors, and a warning if there are fewer segments than asked for")
+    ->group(group);
 }
 
 void add_collection_options(CLI::App& app, Command_line& command_line)
 {
+  const char* group = "Many meshes";
   app
-    .add_option("--output-folder", command_line.output_folder,
-                "write for each mesh its segments and a record in JSON here, under the mesh's name;\n"
-                "what is there already and was made with the same options is not made again")
-    ->type_name("FOLDER");
+    .add_option(
+      "--output-folder", command_line.output_folder,
+      "segment any number of meshes and folders. Write the segments and a record in JSON of each mesh "
+      "into this folder. What is there and was made with the same options is skipped.")
+    ->type_name("FOLDER")
+    ->group(group);
   app
     .add_option("--format", command_line.formats,
-                "of the segments in --output-folder; may be repeated; default: seg")
+                "format of the segments (default: seg); may be repeated")
     ->allow_extra_args(false)
-    ->type_name("EXTENSION");
-  app.add_option("--jobs", command_line.jobs, "so many meshes at once, each in a process of its own, with --output-folder")
+    ->type_name("EXTENSION")
+    ->group(group);
+  app.add_option("--jobs", command_line.jobs, "number of meshes at once, each in its own process")
     ->transform(integer("number of jobs", 1))
     ->type_name("N")
-    ->capture_default_str();
-  app.add_flag("--again", command_line.is_everything_done_again,
-               "make again what is there in --output-folder");
+    ->capture_default_str()
+    ->group(group);
+  app.add_flag("--again", command_line.is_everything_done_again, "skip nothing")->group(group);
+}
+
+void add_help(CLI::App& app)
+{
+  complete_help(
+    app, "[OPTION...] INPUT...", "Input",
+    {{"segment_by_protrusions horse.obj -o horse.ply", "a coloured mesh"},
+     {"segment_by_protrusions horse.obj -k 7 --report horse.html",
+      "seven segments, a page for the browser"},
+     {"segment_by_protrusions horse.obj -o 'parts/%d.obj' --close", "a closed mesh of each segment"},
+     {"segment_by_protrusions meshes --output-folder segments --jobs 2", "all meshes in a folder"}});
 }
 
 } // namespace
 
 void add_options(CLI::App& app, Command_line& command_line)
 {
-  app.set_version_flag("--version", std::string("segment_by_protrusions ") + PROTRUSION_SEGMENTATION_VERSION);
   app
-    .add_option("input", command_line.inputs,
-                "mesh: " + known_formats() +
-                  ", each also compressed by gzip (.gz); - is the standard input;\n"
-                  "what has no extension is recognized by how it begins;\n"
-                  "with --output-folder any number of meshes and of folders")
+    .add_option(
+      "INPUT", command_line.inputs,
+      "a mesh; - is the standard input. With --output-folder, any number of meshes and folders.\n"
+      "Formats: " +
+        known_formats() +
+        "; each also compressed by gzip (.gz).\n"
+        "A file without extension is recognized by how it begins.")
     ->required()
     ->type_name("");
-  add_segmentation_options(app, command_line.options);
-  app
-    .add_option("--tips", command_line.tips,
-                "cut off the protrusions of these tips only: faces as the report saves them, {\"tips\": [12, 345]}")
-    ->excludes("--segments")
-    ->type_name("FILE");
   add_output_options(app, command_line);
+  add_segmentation_options(app, command_line);
+  add_options_of_distances(app, command_line.options);
   add_collection_options(app, command_line);
+  add_help(app);
   app.callback(
     [&]()
     {

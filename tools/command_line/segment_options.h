@@ -13,21 +13,19 @@
 #include <string>
 #include <vector>
 
-namespace CLI
-{
+namespace CLI {
 class App;
 }
 
-namespace tool
-{
+namespace tool {
 
 struct Command_line
 {
   std::vector<std::string> inputs; // files, or folders of files; "-" is the standard input
   Segmentation_options options;
   std::vector<std::string> outputs;
-  std::string json;   // "-" is the standard output
-  std::string report; // empty: none
+  std::string json;    // "-" is the standard output
+  std::string report;  // empty: none
   std::string borders; // empty: none
   std::string tips;    // empty: none
   std::string caps;    // empty: none; else "flat" or "faired"

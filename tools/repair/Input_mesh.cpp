@@ -181,7 +181,7 @@ std::string describe(const Repairs& repairs)
   if (repairs.reversed_polygons > 0)
     parts.push_back(counted(repairs.reversed_polygons, "face was", "faces were") + " turned over");
   if (repairs.specks > 0)
-    parts.push_back(counted(repairs.specks, "speck has", "specks have") + " the label of a neighbour");
+    parts.push_back(counted(repairs.specks, "small component has", "small components have") + " the label of a neighbour");
   if (!parts.empty())
     parts.push_back(counted(repairs.components, "component is", "components are") + " left");
   std::string line;

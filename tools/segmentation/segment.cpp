@@ -158,10 +158,10 @@ std::vector<Choice> methods()
 std::vector<Choice> distances()
 {
   return {{"geodesic", "shortest paths in the face dual graph", {}},
-          {"landmark", "the same by way of random landmarks", {"--landmarks"}},
-          {"diffusion", "how differently random walks spread", {"--eigenpairs", "--time"}},
-          {"heat", "over the faces, by the heat method", {}},
-          {"exact", "over the faces, exactly; slow, for small meshes", {}}};
+          {"landmark", "shortest paths by way of random landmarks", {"--landmarks"}},
+          {"diffusion", "how differently random walks from two faces spread", {"--eigenpairs", "--time"}},
+          {"heat", "paths over the faces, by the heat method", {}},
+          {"exact", "exact paths over the faces; slow, for small meshes", {}}};
 }
 
 bool can_use_threads()

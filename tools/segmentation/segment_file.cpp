@@ -43,19 +43,19 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
 constexpr std::size_t many_faces_for_exact_distances = 5000;
 constexpr std::size_t many_eigenpairs = 100;
 
-// Why there are not as many segments as were asked for, or no protrusions, or nothing.
+// Empty, or why the number of segments is not the one asked for, or is one.
 std::string note_on_number(const Segmentation_options& options, const Segmentation& segmentation)
 {
   const std::size_t found = segmentation.number_of_segments;
   const std::size_t wanted = options.number_of_segments.value_or(found);
   std::ostringstream note;
   if (found < wanted)
-    note << "found " << found << " of " << wanted << " segments: no further protrusion has a border";
+    note << "found " << found << " of " << wanted << " segments: no further border was found";
   else if (found > wanted)
     note << "found " << found << " segments instead of " << wanted << ": each of the mesh's " << found
          << " connected components is at least one";
   else if (!options.number_of_segments && !options.tips && segmentation.record.protrusions().empty())
-    note << "found no evident protrusion; -k N asks for a number of segments";
+    note << "found no protrusion; -k N asks for a number of segments";
   return note.str();
 }
 
@@ -239,6 +239,14 @@ void write_findings(Findings& findings, const Output_names& names)
   if (!names.json.empty())
     files.add(names.json, [&](std::ostream& out) { write_json(out, describe(findings)); });
   files.publish();
+}
+
+std::string note_on_missing_segments(const Findings& findings)
+{
+  const std::size_t found = findings.segmentation.number_of_segments;
+  return found < findings.options.number_of_segments.value_or(0)
+           ? note_on_number(findings.options, findings.segmentation)
+           : "";
 }
 
 std::string summary(const Findings& findings)

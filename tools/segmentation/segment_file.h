@@ -47,6 +47,9 @@ void check_can_be_written(const Output_names& names);
 // Writes all or, with an `Error`, nothing. Notes how long it takes.
 void write_findings(Findings& findings, const Output_names& names);
 
+// Empty, or that there are fewer segments than were asked for.
+std::string note_on_missing_segments(const Findings& findings);
+
 // "faces, segments, seconds"
 std::string summary(const Findings& findings);
 

@@ -72,13 +72,12 @@ struct Format
 const std::vector<Format>& formats()
 {
   static const std::vector<Format> table = {
-    {".seg", "one segment id a line, as in the Princeton Segmentation Benchmark", write_seg, false},
-    {".ply", "mesh with colours of faces and vertices and a face property 'segment', binary", write_PLY,
-     true},
+    {".seg", "one segment id a line, line i for face i", write_seg, false},
+    {".ply", "binary mesh with colours and a face property segment", write_PLY, true},
     {".off", "mesh with face colours", write_off, true},
-    {".obj", "mesh with a group 'segment_N' for each segment; slicers read it", write_obj, true},
-    {".glb", "glTF 2.0, binary: a coloured mesh of its own for each segment", write_GLB, true},
-    {".vtp", "VTK polygonal data, text, with cell data 'segment' and 'color'", write_VTP, true}};
+    {".obj", "mesh with a group segment_N for each segment", write_obj, true},
+    {".glb", "glTF 2.0, a coloured mesh for each segment", write_GLB, true},
+    {".vtp", "VTK polygonal data with cell data segment and color", write_VTP, true}};
   return table;
 }
 

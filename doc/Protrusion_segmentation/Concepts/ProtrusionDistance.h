@@ -4,7 +4,7 @@
 
 The concept `ProtrusionDistance` describes the requirements on a distance between the faces of a surface, by
 which protrusion tips are selected and borders are found (Section III.B of the paper). A model holds the
-options of the distance, and prepares the distances on each surface that is looked at. A method gets a copy of it.
+options of the distance and prepares the distances on each surface. A method keeps a copy of it.
 
 \cgalRefines{CopyConstructible}
 
@@ -29,16 +29,14 @@ public:
   /*!
   prepares the distances on a surface.
 
-  It is called for each connected component, and for every segment that is looked at later. It may throw any
-  exception; the call of the package then ends with it and writes nothing.
+  It is called for each connected component and for each segment that is divided. It may throw any exception; the
+  call of the package then ends with it and writes nothing.
 
   \param surface one connected piece of at least one face; it outlives the result. Faces may be polygons and may
-                 have no area. The surface may have borders, and may touch itself in vertices.
-  \param execution outlives the result. All that is random is to depend on its random seed alone: equal seeds
-                   give equal distances. What takes longer than a fraction of a second is to call its function
-                   `check()` from time to time, which throws
-                   `CGAL::Protrusion_segmentation::Segmentation_stopped` if the visitor stops the call; a model must
-                   let it pass. A model may use several threads if it says so.
+                 have no area. The surface may have a boundary, and may touch itself in vertices.
+  \param execution outlives the result. Random choices depend on its random seed alone. Long loops call its function
+                   `check()` several times a second. That throws
+                   `CGAL::Protrusion_segmentation::Segmentation_stopped` if the visitor stops the call; do not catch it. A model may use several threads if `is_parallel()` says so.
 
   \return the distances on `surface`
   */

@@ -3,11 +3,11 @@
 \cgalConcept
 
 The concept `ProtrusionDistancesOnSurface` describes the requirements on the distances between the faces of one
-surface. They are asked for one source after the other, and so may keep work arrays.
+surface. They are computed for one source after the other, so a model may keep work arrays.
 
-The distance should grow along the surface away from the source, as lengths do. It need be neither symmetric
-nor a metric. Its answers are checked: if they are not as described below, the call of the package throws
-`std::invalid_argument`, which says what is wrong for which face.
+Distances should grow along the surface away from the source, as lengths do. They need not be symmetric or a metric.
+They are checked: if they are not as described below, the call of the package throws `std::invalid_argument` with the
+number of the face and what is wrong.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Protrusion_segmentation::Geodesic_distance::On_surface}
@@ -23,7 +23,7 @@ class ProtrusionDistancesOnSurface
 {
 public:
   /*!
-  computes the distances from a face to all faces. The visitor is asked whether to go on before each call.
+  computes the distances from a face to all faces. The visitor is asked before each call whether to stop.
 
   \param source the face
   \param distances is resized to the number of faces and filled with numbers: none infinite or negative, 0 for
@@ -34,12 +34,12 @@ public:
   /*!
   computes the distances from a face up to a bound.
 
-  Optional: without it, all distances are computed where only those inside a border are needed.
+  Optional: without it, all distances are computed even where only those inside a border are needed.
 
   \param source the face
   \param distances is resized to the number of faces and filled as above, but distances above `bound` may be
-                   larger than they are, and infinite
-  \param bound the largest distance of interest; infinite where all are
+                   too large or infinite
+  \param bound the largest distance that is needed; may be infinite
   */
   void operator()(CGAL::Protrusion_segmentation::Indexed_surface::Index source, std::vector<double>& distances,
                   double bound);
@@ -56,7 +56,7 @@ public:
   /*!
   Optional: without it, the calls of `operator()` are counted.
 
-  \return from how many faces distances were computed so far, for the report to the visitor
+  \return the number of faces from which distances were computed so far; the visitor is told of it
   */
   std::size_t number_of_runs() const;
 };

@@ -174,18 +174,15 @@ class Panel
 
 // What the numbers are, and in which unit. Shown under the mouse, and in a list.
 Panel.meanings = {
-  "faces": "of the file that was segmented",
-  "confidence": "the probability of the weakest border of this segment, or its value where the method has no " +
-                "probabilities; check the segments with the least confidence first",
+  "faces": "number of faces of the file",
+  "confidence": "the probability of this segment's weakest border, or its value without probabilities; check low ones first",
   "sticks out of segment": "the segment that gets these faces if the two are merged",
   "tip at face": "the face farthest from the border, counted from 0 in the order of the file",
-  "prominence of the border": "how much wider the surface is behind the border than at it: the logarithm of the ratio",
-  "value of the cut": "from -0.5 to 0.5, without a unit: how much better a segmentation is with the cut; it grows with " +
-                      "the probability and with the size of both sides",
-  "probability of the border": "from 0 to 1: that people would put the two sides into different segments",
-  "area beyond the border": "of the segment and of all that sticks out of it in the finest segmentation, in the square of " +
-                            "the file's unit of length",
+  "prominence of the border": "the logarithm of how many times wider the surface is behind the border",
+  "value of the cut": "from -0.5 to 0.5; grows with the probability and with the size of both sides",
+  "probability of the border": "from 0 to 1: how often people put the two sides into different segments",
+  "area beyond the border": "of the segment and of all that sticks out of it",
   "length of the border": "in the file's unit of length",
   "distance of the border from the tip": "along the surface, in the file's unit of length",
-  "slot of the border": "which of a hundred slots of distance from the tip the border lies in",
+  "slot of the border": "its slot among a hundred slots of distance from the tip",
 };
