@@ -86,12 +86,12 @@ struct Cut_options
 
   std::size_t level_sets = 10;      // candidates of a segment that are level sets of distances from tips,
   std::size_t regions = 8;          // and connected regions
-  std::size_t refined = 8;          // of these, the ones of largest value get minimum cuts
+  std::size_t refined = 6;          // of these, the ones of largest value get minimum cuts
   std::size_t number_of_sets = 3;   // width of the beam; wider ones exploit errors of the value
   std::size_t cuts_of_set = 4;      // further cuts of a set of cuts that are looked at
-  std::size_t searched_at_once = 4; // segments, side by side
+  std::size_t searched_at_once = 2; // segments, side by side; more are searched in vain
   // the value of a cut relative to the area of its segment that is expected at most: 1/2 is possible, this is rare
-  double largest_relative_value = 0.4;
+  double largest_relative_value = 0.25;
   bool moves_borders_on_faces = true; // borders become minimum cuts once more on the faces
 
   // Without a number of segments: the largest drop of the gain between these two ends the segmentation.
