@@ -2,14 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sheets cut out of a plane, whose outline alone tells what sticks out.
+// Averaged normals; sheets cut out of a plane, whose outline alone shows what sticks out.
 
 #include "check.h"
-#include "indexed_surfaces.h"
+#include "dual_graphs.h"
 #include "segmentations.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/rounded_normals.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/average_normals.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -92,6 +92,20 @@ Segmentation segmentation(const Test_mesh& mesh)
   return checked(faces, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(faces, ids); });
 }
 
+void normals_of_a_sphere_point_outward()
+{
+  const Indexed_surface surface = to_surface(jittered(icosphere(4), 0.005, 1));
+  const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(
+    surface, seam_graph(surface), centres(surface), false, quiet_execution());
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+  {
+    const Indexed_surface::Vector_3 radius = surface.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
+    const Indexed_surface::Vector_3 normal(normals[f][0], normals[f][1], normals[f][2]);
+    CHECK_CLOSE(normal.squared_length(), 1, 1e-6);
+    CHECK(normal * radius > 0.98 * std::sqrt(radius.squared_length()));
+  }
+}
+
 void what_is_flat()
 {
   const Test_mesh plane = star(5, 30);
@@ -156,6 +170,7 @@ void a_face_may_have_all_others_around_it()
 
 int main()
 {
+  normals_of_a_sphere_point_outward();
   what_is_flat();
   no_parts_without_concave_corners();
   arms_are_parts();
