@@ -44,7 +44,8 @@ void check_history(const internal::Component& component, const Cut_set& set)
     segments.insert(cut.inner);
     segments.insert(cut.outer);
     value += cut.value;
-    CHECK_EQUAL(component.memo()[cut.inner].segment.nodes.size() + component.memo()[cut.outer].segment.nodes.size(),
+    CHECK_EQUAL(component.memo()[cut.inner].segment.nodes.size() +
+                  component.memo()[cut.outer].segment.nodes.size(),
                 component.memo()[cut.segment].segment.nodes.size());
   }
   CHECK_CLOSE(set.value, value, rounding);
@@ -177,8 +178,9 @@ public:
       std::stable_sort(next.begin(), next.end(), is_better);
       beam.clear();
       for (const Cut_set& set : next)
-        if (beam.size() < 3 && std::none_of(beam.begin(), beam.end(), [&](const Cut_set& other)
-                                            { return other.segments == set.segments; }))
+        if (beam.size() < 3 &&
+            std::none_of(beam.begin(), beam.end(),
+                         [&](const Cut_set& other) { return other.segments == set.segments; }))
           beam.push_back(set);
       if (!beam.empty())
         result.push_back(beam.front());
@@ -273,7 +275,8 @@ void few_segments_are_searched(const Test_mesh& mesh, std::size_t number_of_cuts
     if (!found)
       return;
     CHECK_CLOSE(found->value, expected[i].value, rounding);
-    CHECK(nodes_of_segments(of_mesh.component.memo(), *found) == nodes_of_segments(all.memo(), expected[i]));
+    CHECK(nodes_of_segments(of_mesh.component.memo(), *found) ==
+          nodes_of_segments(all.memo(), expected[i]));
   }
   CHECK(number_of_searched_segments(of_mesh.component.memo()) < number_of_searched_segments(all.memo()));
 }
@@ -287,7 +290,8 @@ void sets_end_where_cuts_gain_little(const Test_mesh& mesh, double least_gain)
   const std::optional<internal::Any_distance> distance;
   const internal::Graphs_of_surface graphs(surface, options, quiet_execution());
   internal::Segment_search search(surface, graphs, distance, options, quiet_execution());
-  internal::Beam_search limited(graphs.coarse, search, options), unlimited(graphs.coarse, search, options);
+  internal::Beam_search limited(graphs.coarse, search, options),
+    unlimited(graphs.coarse, search, options);
   std::size_t number = 1;
   for (; limited.best_protrusions(number + 1); ++number)
     CHECK(limited.gain(number + 1) > least_gain);

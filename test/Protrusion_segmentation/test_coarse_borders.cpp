@@ -38,7 +38,8 @@ Borders borders(const Test_mesh& mesh, const std::vector<Index>& node, Index cou
   Borders result;
   result.ragged = internal::contract(fine, centres(surface), {node, count}, false).graph;
   result.straight = result.ragged;
-  internal::Border_straightener(surface, fine, node, result.straight)(internal::Index_groups(node, count), false);
+  internal::Border_straightener(surface, fine, node, result.straight)(internal::Index_groups(node, count),
+                                                                      false);
   return result;
 }
 
@@ -71,9 +72,11 @@ void a_staircase_has_the_length_of_its_chord()
 {
   const int n = 32;
   const Test_mesh mesh = nearly_flat_sheet(n);
-  const Borders found = borders_of_region(mesh, [](const Point& p) { return p[1] < 8 + std::floor(p[0] / 4); });
+  const Borders found = borders_of_region(mesh,
+                                          [](const Point& p) { return p[1] < 8 + std::floor(p[0] / 4); });
   CHECK_CLOSE(length_on_mesh(mesh, found.ragged.border_length[0]), n + n / 4 - 1, precision * n);
-  CHECK_CLOSE(length_on_mesh(mesh, found.straight.border_length[0]), std::hypot(n, n / 4 - 1), precision * n);
+  CHECK_CLOSE(length_on_mesh(mesh, found.straight.border_length[0]), std::hypot(n, n / 4 - 1),
+              precision * n);
   CHECK_CLOSE(found.straight.capacity[0], found.straight.border_length[0], precision); // no seam
   CHECK_EQUAL(found.straight.concave_length[0], 0);
 }
@@ -108,8 +111,8 @@ void straight_borders_stay()
 // Around a node there is no chord.
 void a_closed_border_keeps_most_of_its_length()
 {
-  const Borders found = borders_of_region(sheet(9, 9), [](const Point& p)
-                                          { return std::abs(p[0] - 4.5) < 2 && std::abs(p[1] - 4.5) < 2; });
+  const Borders found = borders_of_region(
+    sheet(9, 9), [](const Point& p) { return std::abs(p[0] - 4.5) < 2 && std::abs(p[1] - 4.5) < 2; });
   CHECK_CLOSE(found.straight.border_length[0], found.ragged.border_length[0] * least_share, precision);
 }
 

@@ -21,8 +21,8 @@ void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_o
 {
   const Indexed_surface surface = to_surface(mesh);
   const Seam_graph fine = seam_graph(surface);
-  const internal::Contracted<Seam_graph> coarse =
-    internal::coarsen(fine, centres(surface), fine.capacity, number_of_nodes, quiet_execution());
+  const internal::Contracted<Seam_graph> coarse = internal::coarsen(fine, centres(surface), fine.capacity,
+                                                                    number_of_nodes, quiet_execution());
   const Index n = coarse.graph.number_of_nodes();
   CHECK(n <= fine.number_of_nodes());
   check_symmetry(coarse.graph);
@@ -70,8 +70,8 @@ void a_strip_as_narrow_as_a_face_is_coarsened()
   const Indexed_surface surface = to_surface(thin_strip(10000, 1e-4));
   const Seam_graph strip = seam_graph(surface);
   for (const Index number : {Index(6000), Index(500)})
-    CHECK(internal::coarsen(strip, centres(surface), strip.capacity, number, quiet_execution()).graph.number_of_nodes() <
-          1.1 * number);
+    CHECK(internal::coarsen(strip, centres(surface), strip.capacity, number, quiet_execution())
+            .graph.number_of_nodes() < 1.1 * number);
 }
 
 // Threads only save time: all nodes and weights are the same to the last bit.
@@ -86,7 +86,8 @@ void the_number_of_threads_does_not_matter()
   CHECK(found.node == expected.node && found.centre == expected.centre);
   CHECK(found.graph.first_arc == expected.graph.first_arc && found.graph.target == expected.graph.target);
   CHECK(found.graph.length == expected.graph.length && found.graph.area == expected.graph.area);
-  CHECK(found.graph.curvature == expected.graph.curvature && found.graph.capacity == expected.graph.capacity);
+  CHECK(found.graph.curvature == expected.graph.curvature &&
+        found.graph.capacity == expected.graph.capacity);
 
   const internal::Index_groups faces_of_nodes(found.node, found.graph.number_of_nodes());
   Volume_graph volumes, expected_volumes;
@@ -94,8 +95,10 @@ void the_number_of_threads_does_not_matter()
   static_cast<Seam_graph&>(expected_volumes) = expected.graph;
   internal::measure_volumes(surface, found.node, faces_of_nodes, volumes, true);
   internal::measure_volumes(surface, found.node, faces_of_nodes, expected_volumes, false);
-  CHECK(volumes.border_vector == expected_volumes.border_vector && volumes.border_area == expected_volumes.border_area);
-  CHECK(volumes.border_moment == expected_volumes.border_moment && volumes.area_vector == expected_volumes.area_vector);
+  CHECK(volumes.border_vector == expected_volumes.border_vector &&
+        volumes.border_area == expected_volumes.border_area);
+  CHECK(volumes.border_moment == expected_volumes.border_moment &&
+        volumes.area_vector == expected_volumes.area_vector);
   CHECK(volumes.flux == expected_volumes.flux);
 #endif
 }

@@ -23,8 +23,8 @@ using internal::Cut_set;
 
 Component_segments segments_of(Component_of_mesh& of_mesh, std::size_t number)
 {
-  return Component_segments(of_mesh.component.graphs(), of_mesh.component.memo(), *of_mesh.component.best(number),
-                            of_mesh.options, quiet_execution());
+  return Component_segments(of_mesh.component.graphs(), of_mesh.component.memo(),
+                            *of_mesh.component.best(number), of_mesh.options, quiet_execution());
 }
 
 // Every segment but the body sticks out of one before or after it, without circles, and out of one that it touches on the
@@ -101,7 +101,8 @@ void arms_stick_out_of_the_ball(std::size_t arms)
 int main()
 {
   for (const bool moves_borders : {true, false})
-    for (const Test_mesh& mesh : {star(5), creature(), torus(), bumpy_sphere(3, 1), sheet(20, 30), tetrahedron()})
+    for (const Test_mesh& mesh :
+         {star(5), creature(), torus(), bumpy_sphere(3, 1), sheet(20, 30), tetrahedron()})
       check_segments_of_sets(mesh, 10, moves_borders);
   borders_may_stay_on_nodes(creature(), 6);
   for (const std::size_t arms : {3, 6})

@@ -33,7 +33,9 @@ class Cut_mesh
 {
 public:
   explicit Cut_mesh(const Test_mesh& mesh)
-    : m_mesh(mesh), m_graph(volume_graph(to_surface(mesh))), m_segments(mesh.faces.size(), 0)
+    : m_mesh(mesh),
+      m_graph(volume_graph(to_surface(mesh))),
+      m_segments(mesh.faces.size(), 0)
   {}
 
   // The faces whose centroid is in a region become segment 1.
@@ -231,7 +233,8 @@ Test_mesh rod_on_plate(int width, int length)
 void a_rod_on_a_plate()
 {
   const Cut_mesh rod(rod_on_plate(3, 12));
-  const auto above = [](double z) { return [z](const Point& p) { return p[2] > z + 0.1; }; }; // not the plate itself
+  const auto above = [](double z)
+  { return [z](const Point& p) { return p[2] > z + 0.1; }; }; // not the plate itself
   const Cut_clues foot = rod.clues(above(0)), middle = rod.clues(above(6));
   CHECK_CLOSE(foot.larger_shoulder, 1, precision);
   CHECK_CLOSE(foot.smaller_shoulder, 0, precision);
@@ -248,7 +251,8 @@ void a_bump_is_no_shoulder()
   Cubes cubes;
   add_cubes(cubes, {0, 0, 0}, {24, 3, 3});
   cubes.insert({11, 1, 3});
-  const Cut_clues with_bump = Cut_mesh(voxels(cubes)).clues(below(0, 10)), clues = Cut_mesh(box(24, 3, 3)).clues(below(0, 10));
+  const Cut_clues with_bump = Cut_mesh(voxels(cubes)).clues(below(0, 10)),
+                  clues = Cut_mesh(box(24, 3, 3)).clues(below(0, 10));
   CHECK(with_bump.larger_widening > clues.larger_widening + 0.05);
   CHECK_CLOSE(with_bump.larger_shoulder, 0, precision);
   CHECK_CLOSE(with_bump.smaller_shoulder, 0, precision);
@@ -258,8 +262,11 @@ void a_bump_is_no_shoulder()
 void a_trough_may_lie_anywhere()
 {
   constexpr std::size_t rows = 12;
-  const Test_mesh trough = transformed(sheet(30, rows), [](const Point& p)
-                                       { return Point{p[0], 4 * std::cos(pi * p[1] / rows), 4 * std::sin(pi * p[1] / rows)}; });
+  const Test_mesh trough = transformed(
+    sheet(30, rows),
+    [](const Point& p) {
+      return Point{p[0], 4 * std::cos(pi * p[1] / rows), 4 * std::sin(pi * p[1] / rows)};
+    });
   const Cut_clues clues = Cut_mesh(trough).clues(below(0, 12));
   CHECK_CLOSE(clues.larger_shoulder, 0, precision);
   CHECK_CLOSE(clues.smaller_shoulder, 0, precision);
@@ -297,7 +304,8 @@ void a_flat_sheet()
   for (const Face& face : wide.faces)
     if (centroid(wide, face)[0] > 12 || std::abs(centroid(wide, face)[1] - 20.5) < 2)
       with_arm.add_face(face);
-  const Cut_clues foot = Cut_mesh(with_arm).clues(below(0, 12)), middle = Cut_mesh(sheet(40, 4)).clues(below(0, 20));
+  const Cut_clues foot = Cut_mesh(with_arm).clues(below(0, 12)),
+                  middle = Cut_mesh(sheet(40, 4)).clues(below(0, 20));
   CHECK(foot.larger_shoulder > 0.5 && foot.larger_shoulder <= 1);
   CHECK_EQUAL(middle.flatness, 0);
   CHECK(std::abs(middle.larger_shoulder) < 0.1 && std::abs(middle.smaller_shoulder) < 0.1);
@@ -305,10 +313,9 @@ void a_flat_sheet()
 
 std::vector<double> values(const Cut_clues& c)
 {
-  return {c.concave_share,    c.relative_length, c.segment_size,    c.larger_widening,
-          c.smaller_widening, c.roundness,       c.neighbors,       c.contrast,
-          c.mean_cost,        c.thickness,       c.several_loops,
-          c.larger_shoulder,  c.smaller_shoulder, c.flatness};
+  return {c.concave_share, c.relative_length, c.segment_size,     c.larger_widening, c.smaller_widening,
+          c.roundness,     c.neighbors,       c.contrast,         c.mean_cost,       c.thickness,
+          c.several_loops, c.larger_shoulder, c.smaller_shoulder, c.flatness};
 }
 
 std::vector<double> values_of_first_arm(const Test_mesh& mesh)

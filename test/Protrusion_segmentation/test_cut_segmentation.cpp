@@ -21,7 +21,8 @@ using CGAL::Protrusion_segmentation::internal::Cut_segmentation;
 using CGAL::Protrusion_segmentation::internal::Nested_segments;
 
 // without a number the automatic one
-Nested_segments segments_of(const Indexed_surface& surface, std::optional<std::size_t> number = std::nullopt)
+Nested_segments segments_of(const Indexed_surface& surface,
+                            std::optional<std::size_t> number = std::nullopt)
 {
   const std::optional<CGAL::Protrusion_segmentation::internal::Any_distance> distance;
   Cut_segmentation segmentation(surface, distance, quiet_execution());
@@ -83,16 +84,18 @@ void many_components_may_have_many_segments()
   const Indexed_surface surface = to_surface(many_tetrahedra(components));
   for (const std::size_t k : {components + 1, 2 * components, 4 * components})
     CHECK_EQUAL(segments_of(surface, k).number_of_segments(), k);
-  CHECK_EQUAL(segments_of(surface, 4 * components + 1).number_of_segments(), 4 * components); // there are no more faces
+  CHECK_EQUAL(segments_of(surface, 4 * components + 1).number_of_segments(),
+              4 * components); // there are no more faces
 }
 
 int main()
 {
-  const Test_mesh several = merged({star(3), translated(creature(), {20, 0, 0}), translated(icosphere(2), {0, 20, 0}),
-                                    translated(scaled(star(5), 0.3), {0, 0, 20}), translated(sheet(5, 5), {0, 0, -20})});
-  for (const Test_mesh& mesh :
-       {star(1), star(5), creature(), dumbbell(), body_with_hands(3, 0.18), bumpy_sphere(3, 1), icosphere(3), torus(),
-        sheet(20, 30), tetrahedron(), several, merged({star(4), translated(star(4), {0, 0, 20})})})
+  const Test_mesh several = merged(
+    {star(3), translated(creature(), {20, 0, 0}), translated(icosphere(2), {0, 20, 0}),
+     translated(scaled(star(5), 0.3), {0, 0, 20}), translated(sheet(5, 5), {0, 0, -20})});
+  for (const Test_mesh& mesh : {star(1), star(5), creature(), dumbbell(), body_with_hands(3, 0.18),
+                                bumpy_sphere(3, 1), icosphere(3), torus(), sheet(20, 30), tetrahedron(),
+                                several, merged({star(4), translated(star(4), {0, 0, 20})})})
     the_automatic_number_may_be_asked_for(mesh);
   one_segment_more_changes_one_component(several);
   many_components_may_have_many_segments();

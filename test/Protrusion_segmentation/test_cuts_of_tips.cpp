@@ -25,7 +25,8 @@ std::vector<Index> tips_of_parts(const Test_mesh& mesh)
   std::vector<Index> tips(number_of_parts(mesh) - 1, 0);
   std::vector<double> farthest(tips.size(), -1);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    if (const std::size_t part = mesh.parts[f]; part > 0 && length(centroid(mesh, mesh.faces[f])) > farthest[part - 1])
+    if (const std::size_t part = mesh.parts[f];
+        part > 0 && length(centroid(mesh, mesh.faces[f])) > farthest[part - 1])
     {
       farthest[part - 1] = length(centroid(mesh, mesh.faces[f]));
       tips[part - 1] = Index(f);
@@ -86,12 +87,14 @@ void any_faces_may_be_tips(const Test_mesh& mesh)
   const std::vector<std::size_t> order = random_permutation(mesh.faces.size(), 1);
   for (const std::size_t number : {1, 2, 5, 12})
   {
-    const std::vector<Index> tips(order.begin(), order.begin() + std::ptrdiff_t((std::min)(number, order.size())));
+    const std::vector<Index> tips(order.begin(),
+                                  order.begin() + std::ptrdiff_t((std::min)(number, order.size())));
     const Cut_set set = of_mesh.component.cuts_of_tips(tips);
     CHECK(set.segments.size() <= tips.size() + 1);
     for (const Cut_set::Made_cut& cut : set.cuts)
       CHECK(of_mesh.component.memo()[cut.inner].segment.area <= 0.5 + 1e-9);
-    check_segments(of_mesh.component.graphs().coarse, labels_of_nodes(of_mesh.component, set), set.segments.size());
+    check_segments(of_mesh.component.graphs().coarse, labels_of_nodes(of_mesh.component, set),
+                   set.segments.size());
   }
 }
 

@@ -40,7 +40,8 @@ void groups_of_faces_average_like_faces()
     CHECK(surface.number_of_faces() > 8 * std::pow(6 / radius, 2)); // two levels of groups
     internal::Diffusion::Values values;
     for (Index f = 0; f < surface.number_of_faces(); ++f)
-      values.push_back({surface.centroid(f).z() > 0 ? 1.f : 0.f, float(std::sin(4 * surface.centroid(f).x())), 1.f});
+      values.push_back(
+        {surface.centroid(f).z() > 0 ? 1.f : 0.f, float(std::sin(4 * surface.centroid(f).x())), 1.f});
     const auto expected = average_without_groups(graph, values, radius);
     internal::Multilevel_diffusion(radius, quiet_execution())(graph, centres(surface), values);
     for (int i = 0; i < 3; ++i)
@@ -52,7 +53,8 @@ void groups_of_faces_average_like_faces()
         squares += graph.area[f] * error * error;
         largest = (std::max)(largest, error);
       }
-      std::cout << "radius " << radius << ", value " << i << ": " << std::sqrt(squares) << ", " << largest << "\n";
+      std::cout << "radius " << radius << ", value " << i << ": " << std::sqrt(squares) << ", " << largest
+                << "\n";
       CHECK(std::sqrt(squares) < (i == 2 ? 1e-3 : 0.03));
       CHECK(largest < 0.1);
     }

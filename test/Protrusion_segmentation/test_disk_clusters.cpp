@@ -43,7 +43,8 @@ std::size_t number_of_pieces(const Seam_graph& graph, const Clusters& clusters)
     is_reached[i] = true;
     for (std::size_t k = 0; k < queue.size(); ++k)
       for (const Index arc : graph.arcs(queue[k]))
-        if (const Index j = graph.target[arc]; !is_reached[j] && clusters.of_node[j] == clusters.of_node[i])
+        if (const Index j = graph.target[arc];
+            !is_reached[j] && clusters.of_node[j] == clusters.of_node[i])
         {
           is_reached[j] = true;
           queue.push_back(j);

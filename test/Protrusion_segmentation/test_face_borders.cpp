@@ -33,8 +33,8 @@ void borders_on_faces_keep_the_segments_connected(const Test_mesh& mesh, std::si
   {
     const std::vector<Index> labels = labels_of_faces(of_mesh.component, *of_mesh.component.best(k));
     check_segments(graph, labels, k);
-    const std::vector<Index> moved =
-      internal::Face_borders(graph, labels, k)(internal::band_of_clusters, quiet_execution());
+    const std::vector<Index> moved = internal::Face_borders(graph, labels, k)(internal::band_of_clusters,
+                                                                              quiet_execution());
     check_segments(graph, moved, k);
     CHECK(cost_of_borders(graph, moved) <= cost_of_borders(graph, labels) * (1 + 1e-6));
   }

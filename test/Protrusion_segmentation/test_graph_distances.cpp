@@ -66,7 +66,10 @@ void is_as_defined(const Seam_graph& graph, std::uint_fast32_t seed)
     is_open.push_back(random.index(5) != 0);
   internal::Graph_distances distances(graph);
   const auto found = [&](const Nodes& seeds, double limit)
-  { return as_pairs(distances(seeds, [&](Index, Index to) -> bool { return is_open[to]; }, graph.lengths(), limit)); };
+  {
+    return as_pairs(distances(
+      seeds, [&](Index, Index to) -> bool { return is_open[to]; }, graph.lengths(), limit));
+  };
   for (int i = 0; i < 6; ++i)
   {
     Nodes seeds(1, Index(random.index(n)));
@@ -116,7 +119,9 @@ void is_as_defined_for_all_lengths()
     Random random(seed);
     for (Index i = 0; i < graph.number_of_nodes(); ++i)
       for (Index arc : graph.arcs(i))
-        graph.length[arc] = seed % 3 == 0 ? 1.f : float(random.real(0.1, 1)) * (random.index(50) == 0 ? 1e6f : 1.f);
+        graph.length[arc] = seed % 3 == 0
+                              ? 1.f
+                              : float(random.real(0.1, 1)) * (random.index(50) == 0 ? 1e6f : 1.f);
     is_as_defined(graph, seed + 1000);
   }
 }

@@ -55,8 +55,8 @@ void connected_nodes_stay_on_their_side(unsigned int seed)
   std::vector<bool> may_be_in;
   for (std::size_t i = 0; i < nodes.size(); ++i)
     may_be_in.push_back(random.index(4) != 0);
-  Nodes connected =
-    partition.connected_nodes(Index(random.index(nodes.size())), [&](Index i) { return may_be_in[i]; });
+  Nodes connected = partition.connected_nodes(Index(random.index(nodes.size())),
+                                              [&](Index i) { return may_be_in[i]; });
   std::sort(connected.begin(), connected.end());
   CHECK(partition.are_connected(connected));
   const Nodes inner = partition.connect_sides(nodes, connected);
@@ -101,7 +101,8 @@ void one_segment_is_selected()
   const Seam_graph graph = seam_graph(sheet(10, 10));
   Graph_partition partition(graph);
   const Nodes all = all_nodes(graph);
-  const internal::Segment first = {{all.begin(), all.begin() + 40}, 0.4}, second = {{all.begin() + 30, all.end()}, 0.7};
+  const internal::Segment first = {{all.begin(), all.begin() + 40}, 0.4},
+                          second = {{all.begin() + 30, all.end()}, 0.7};
   partition.select(first);
   partition.mark(first.nodes, {0, 1, 2});
   CHECK(partition.is_inner(0) && partition.is_outer(39) && !partition.is_selected(40));

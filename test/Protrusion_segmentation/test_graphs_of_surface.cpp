@@ -96,7 +96,8 @@ void check_single_arcs(const Volume_graph& graph)
     CHECK_EQUAL(graph.concave_length[arc], graph.concave_length[back->second]);
     CHECK_EQUAL(graph.capacity[arc], graph.capacity[back->second]);
     CHECK_EQUAL(graph.length[arc], graph.length[back->second]);
-    CHECK_CLOSE(graph.curvature[arc], graph.curvature[back->second], 1e-5 * (1 + std::abs(graph.curvature[arc])));
+    CHECK_CLOSE(graph.curvature[arc], graph.curvature[back->second],
+                1e-5 * (1 + std::abs(graph.curvature[arc])));
   }
 }
 

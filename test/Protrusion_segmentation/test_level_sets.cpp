@@ -51,7 +51,9 @@ void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
 {
   const Seam_graph graph = seam_graph(mesh);
   Nodes order = internal::Graph_distances(graph)(
-    Nodes(1, tip % graph.number_of_nodes()), [](Index, Index) { return true; }, graph.seam_lengths()).nodes;
+                  Nodes(1, tip % graph.number_of_nodes()), [](Index, Index) { return true; },
+                  graph.seam_lengths())
+                  .nodes;
   CHECK_EQUAL(order.size(), graph.number_of_nodes());
   const internal::Graph_partition partition(graph);
   internal::Level_set_sweep sweep(graph);

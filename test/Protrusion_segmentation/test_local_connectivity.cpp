@@ -31,7 +31,9 @@ Nodes side(const Graph_partition& partition, bool inner)
 // All nodes of a graph, the nearest to `seed` first.
 Nodes nearest_first(const Seam_graph& graph, Index seed)
 {
-  return internal::Graph_distances(graph)({seed}, [](Index, Index) { return true; }, graph.lengths()).nodes;
+  return internal::Graph_distances(graph)(
+           {seed}, [](Index, Index) { return true; }, graph.lengths())
+    .nodes;
 }
 
 // The `size` nodes that are nearest to `seed`, a disc, are the inner side.

@@ -26,8 +26,9 @@ void minimum_cuts_are_minimal(unsigned int seed)
   const Seam_graph graph = seam_graph(random_surface(seed));
   const Index n = graph.number_of_nodes();
   Graph_partition partition(graph);
-  const Nodes order =
-    internal::Graph_distances(graph)(Nodes(1, 0), [](Index, Index) { return true; }, graph.lengths()).nodes;
+  const Nodes order = internal::Graph_distances(graph)(
+                        Nodes(1, 0), [](Index, Index) { return true; }, graph.lengths())
+                        .nodes;
   const Index half = n / 2;
   if (half < 6 || half + 6 > n)
     return;
@@ -67,7 +68,9 @@ void moved_nodes_make_cuts_cheaper(unsigned int seed)
   Graph_partition partition(graph);
   internal::Graph_distances distances(graph);
   internal::Minimum_cut minimum_cut(partition, distances);
-  const Nodes order = distances(Nodes(1, 0), [](Index, Index) { return true; }, graph.lengths()).nodes;
+  const Nodes order = distances(
+                        Nodes(1, 0), [](Index, Index) { return true; }, graph.lengths())
+                        .nodes;
   for (const double share : {0.1, 0.3, 0.5})
   {
     Nodes inner(order.begin(), order.begin() + std::ptrdiff_t(1 + share * double(order.size() - 1)));

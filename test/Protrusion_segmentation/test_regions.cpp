@@ -90,8 +90,9 @@ void regions_are_the_best_clusters(const Seam_graph& graph, const Nodes& segment
   const auto cost = [&](const Node_set& set)
   {
     const double area = area_of(graph, set), smaller = (std::min)(area, segment_area - area);
-    return internal::is_large_enough(area, segment_area) ? internal::cost_for_area(cost_between(graph, set, nodes), smaller)
-                                                          : infinity;
+    return internal::is_large_enough(area, segment_area)
+             ? internal::cost_for_area(cost_between(graph, set, nodes), smaller)
+             : infinity;
   };
   double best = infinity, before = 0;
   for (const Node_set& cluster : clusters)
@@ -141,7 +142,8 @@ void a_low_fin_is_a_region()
   {
     const Node_set set = nodes_of(merged, region);
     const double common = static_cast<double>(std::count_if(set.begin(), set.end(), is_of_fin));
-    best = (std::max)(best, common / static_cast<double>(set.size() + fin.size() - static_cast<std::size_t>(common)));
+    best = (std::max)(
+      best, common / static_cast<double>(set.size() + fin.size() - static_cast<std::size_t>(common)));
   }
   CHECK(best > 0.95);
 }

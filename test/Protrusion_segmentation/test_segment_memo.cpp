@@ -30,7 +30,8 @@ std::vector<internal::Cut> random_cuts(const Nodes& nodes, Random& random)
   {
     const double share = random.real(0.02, 0.5);
     internal::Cut cut;
-    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(cut.inner), [&](Index) { return random.real(0, 1) < share; });
+    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(cut.inner),
+                 [&](Index) { return random.real(0, 1) < share; });
     cut.value = random.real(-1, 1);
     if (!cut.inner.empty() && cut.inner.size() < nodes.size())
       cuts.push_back(cut);
@@ -83,7 +84,8 @@ void a_segment_is_the_same_in_any_order_of_cuts()
   internal::Cut first, second;
   first.inner = Nodes(all.begin(), all.begin() + 30);
   second.inner = Nodes(all.end() - 30, all.end());
-  const Cut_set::Made_cut first_of_whole = memo.made_cut(whole, first), second_of_whole = memo.made_cut(whole, second);
+  const Cut_set::Made_cut first_of_whole = memo.made_cut(whole, first),
+                          second_of_whole = memo.made_cut(whole, second);
   const Cut_set::Made_cut second_of_rest = memo.made_cut(first_of_whole.outer, second);
   const Cut_set::Made_cut first_of_rest = memo.made_cut(second_of_whole.outer, first);
   CHECK_EQUAL(first_of_rest.outer, second_of_rest.outer);

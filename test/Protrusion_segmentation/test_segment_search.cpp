@@ -38,7 +38,9 @@ struct Search_of_mesh
 };
 
 // The area in each part of the faces of some nodes.
-std::vector<double> areas_of_parts(const Search_of_mesh& of_mesh, const Test_mesh& mesh, const Nodes& nodes)
+std::vector<double> areas_of_parts(const Search_of_mesh& of_mesh,
+                                   const Test_mesh& mesh,
+                                   const Nodes& nodes)
 {
   std::vector<double> areas(number_of_parts(mesh), 0);
   for (std::size_t f = 0; f < mesh.faces.size(); ++f)
@@ -62,7 +64,8 @@ void best_cuts_of_a_star_are_its_arms()
       continue;
     CHECK(cuts[c].value > 0);
     const std::vector<double> areas = areas_of_parts(of_mesh, mesh, cuts[c].inner);
-    CHECK(*std::max_element(areas.begin() + 1, areas.end()) > 0.9 * std::accumulate(areas.begin(), areas.end(), 0.));
+    CHECK(*std::max_element(areas.begin() + 1, areas.end()) >
+          0.9 * std::accumulate(areas.begin(), areas.end(), 0.));
   }
 }
 
@@ -109,7 +112,8 @@ int main()
 {
   best_cuts_of_a_star_are_its_arms();
   segments_are_searched_independently();
-  for (const Test_mesh& mesh : {star(5), creature(), torus(), bumpy_sphere(3, 1), sheet(20, 30), tetrahedron()})
+  for (const Test_mesh& mesh :
+       {star(5), creature(), torus(), bumpy_sphere(3, 1), sheet(20, 30), tetrahedron()})
     cuts_are_valid(mesh);
   return check::result();
 }

@@ -105,7 +105,8 @@ void without_threads_indices_are_in_order()
 // An exception leaves the loop, and the workspaces serve the next one.
 void exceptions_get_through(bool parallel)
 {
-  struct Of_body {};
+  struct Of_body
+  {};
   std::atomic<std::size_t> made(0);
   Thread_workspaces<Counting_workspace> workspaces(made);
   bool is_caught = false;
@@ -123,7 +124,8 @@ void exceptions_get_through(bool parallel)
     is_caught = true;
   }
   CHECK(is_caught);
-  workspaces.for_each_index(20, parallel, [](Counting_workspace& workspace, std::size_t) { workspace.work(); });
+  workspaces.for_each_index(20, parallel,
+                            [](Counting_workspace& workspace, std::size_t) { workspace.work(); });
   CHECK_EQUAL(total(workspaces), 20u);
 }
 

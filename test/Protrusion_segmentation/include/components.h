@@ -24,7 +24,9 @@ namespace internal = CGAL::Protrusion_segmentation::internal;
 struct Component_of_mesh
 {
   explicit Component_of_mesh(const Test_mesh& mesh, const Cut_options& given = default_options())
-    : surface(to_surface(mesh)), options(given), component(surface, distance, options, quiet_execution())
+    : surface(to_surface(mesh)),
+      options(given),
+      component(surface, distance, options, quiet_execution())
   {}
 
   Indexed_surface surface;
@@ -34,7 +36,8 @@ struct Component_of_mesh
 };
 
 // The segment of every node of the coarse graph; every one has just one.
-inline std::vector<Index> labels_of_nodes(const internal::Component& component, const internal::Cut_set& set)
+inline std::vector<Index> labels_of_nodes(const internal::Component& component,
+                                          const internal::Cut_set& set)
 {
   std::vector<Index> labels(component.graphs().coarse.number_of_nodes(), Indexed_surface::no_face());
   for (std::size_t s = 0; s < set.segments.size(); ++s)
@@ -47,7 +50,8 @@ inline std::vector<Index> labels_of_nodes(const internal::Component& component, 
   return labels;
 }
 
-inline std::vector<Index> labels_of_faces(const internal::Component& component, const internal::Cut_set& set)
+inline std::vector<Index> labels_of_faces(const internal::Component& component,
+                                          const internal::Cut_set& set)
 {
   const std::vector<Index> of_nodes = labels_of_nodes(component, set);
   std::vector<Index> result;

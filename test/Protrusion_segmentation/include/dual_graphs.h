@@ -44,7 +44,8 @@ inline Seam_graph seam_graph(const Indexed_surface& surface, Execution& executio
   using namespace CGAL::Protrusion_segmentation::internal;
   Seam_graph graph;
   Dual_graph_maker{surface}(graph, execution.is_parallel());
-  Seam_finder(surface, default_options(), execution)(graph, centres_of_faces(surface, execution.is_parallel()));
+  Seam_finder(surface, default_options(), execution)(graph,
+                                                     centres_of_faces(surface, execution.is_parallel()));
   return graph;
 }
 
@@ -65,12 +66,13 @@ inline Volume_graph volume_graph(const Indexed_surface& surface)
 {
   using namespace CGAL::Protrusion_segmentation::internal;
   const Seam_graph faces = seam_graph(surface);
-  Contracted<Seam_graph> contracted =
-    contract(faces, centres(surface), {all_nodes(faces), faces.number_of_nodes()}, false);
+  Contracted<Seam_graph> contracted = contract(faces, centres(surface),
+                                               {all_nodes(faces), faces.number_of_nodes()}, false);
   Volume_graph graph;
   static_cast<Seam_graph&>(graph) = std::move(contracted.graph);
   graph.centre = std::move(contracted.centre);
-  measure_volumes(surface, contracted.node, Index_groups(contracted.node, graph.number_of_nodes()), graph, false);
+  measure_volumes(surface, contracted.node, Index_groups(contracted.node, graph.number_of_nodes()), graph,
+                  false);
   return graph;
 }
 

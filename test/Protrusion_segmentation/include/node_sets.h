@@ -15,7 +15,8 @@ namespace test_meshes {
 
 using Node_set = std::set<CGAL::Protrusion_segmentation::internal::Dual_graph::Index>;
 
-inline double area_of(const CGAL::Protrusion_segmentation::internal::Dual_graph& graph, const Node_set& nodes)
+inline double area_of(const CGAL::Protrusion_segmentation::internal::Dual_graph& graph,
+                      const Node_set& nodes)
 {
   double area = 0;
   for (const auto i : nodes)

@@ -26,8 +26,9 @@ inline void check_segments(const Dual_graph& graph, const std::vector<Index>& la
   const std::vector<std::size_t> ids(labels.begin(), labels.end());
   CHECK_EQUAL(validation::problem_with_segment_ids(ids, number).value_or("no problem"), "no problem");
   const std::vector<bool> is_on_speck(ids.size(), false);
-  CHECK_EQUAL(validation::problem_with_connectedness(neighbors, is_on_speck, ids, number).value_or("no problem"),
-              "no problem");
+  CHECK_EQUAL(
+    validation::problem_with_connectedness(neighbors, is_on_speck, ids, number).value_or("no problem"),
+    "no problem");
 }
 
 } // namespace test_meshes
