@@ -5,12 +5,10 @@
 // The clusters that become nodes of the coarse graph.
 
 #include "check.h"
-#include "indexed_surfaces.h"
+#include "dual_graphs.h"
 #include "test_meshes.h"
-#include "weighted_dual_graphs.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/disk_clusters.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/make_coarse_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Disk_clusters.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -20,19 +18,19 @@
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 using internal::Clusters;
-using internal::Weighted_dual_graph;
 
 constexpr Index no_limit = 1000000;
 
-Clusters clusters_of(const Weighted_dual_graph& graph, Index largest_number = no_limit)
+Clusters clusters_of(const Test_mesh& mesh, Index largest_number = no_limit)
 {
-  internal::Disk_clusters disks(graph);
-  disks.select_seeds(largest_number, quiet_execution());
-  return disks.clusters();
+  const Indexed_surface surface = to_surface(mesh);
+  const Seam_graph graph = seam_graph(surface);
+  const Centres centre = centres(surface);
+  return internal::Disk_clusters(graph, centre)(largest_number, quiet_execution());
 }
 
-// Of clusters, how many pieces their nodes form.
-std::size_t number_of_pieces(const Weighted_dual_graph& graph, const Clusters& clusters)
+// Of clusters, the number of connected pieces of their nodes.
+std::size_t number_of_pieces(const Seam_graph& graph, const Clusters& clusters)
 {
   std::vector<bool> is_reached(graph.number_of_nodes(), false);
   std::size_t pieces = 0;
@@ -45,7 +43,8 @@ std::size_t number_of_pieces(const Weighted_dual_graph& graph, const Clusters& c
     is_reached[i] = true;
     for (std::size_t k = 0; k < queue.size(); ++k)
       for (const Index arc : graph.arcs(queue[k]))
-        if (const Index j = graph.target[arc]; !is_reached[j] && clusters.of_node[j] == clusters.of_node[i])
+        if (const Index j = graph.target[arc];
+            !is_reached[j] && clusters.of_node[j] == clusters.of_node[i])
         {
           is_reached[j] = true;
           queue.push_back(j);
@@ -56,10 +55,10 @@ std::size_t number_of_pieces(const Weighted_dual_graph& graph, const Clusters& c
 
 void clusters_are_connected(const Test_mesh& mesh)
 {
-  const Weighted_dual_graph graph = weighted_dual_graph(mesh);
+  const Seam_graph graph = seam_graph(mesh);
   for (const Index largest_number : {no_limit, Index(50), Index(1)})
   {
-    const Clusters clusters = clusters_of(graph, largest_number);
+    const Clusters clusters = clusters_of(mesh, largest_number);
     CHECK(clusters.number >= 1 && clusters.number <= largest_number);
     CHECK_EQUAL(clusters.of_node.size(), graph.number_of_nodes());
     std::vector<bool> has_node(clusters.number, false);
@@ -73,8 +72,8 @@ void clusters_are_connected(const Test_mesh& mesh)
 // A shape of area 1 has about two thousand disks of the radius, however fine its triangles are.
 void their_number_does_not_depend_on_the_triangles()
 {
-  const double coarse = clusters_of(weighted_dual_graph(icosphere(5))).number;
-  const double fine = clusters_of(weighted_dual_graph(icosphere(6))).number;
+  const double coarse = clusters_of(icosphere(5)).number;
+  const double fine = clusters_of(icosphere(6)).number;
   CHECK(coarse > 1500 && coarse < 2500);
   CHECK(fine > 0.9 * coarse && fine < 1.2 * coarse);
 }
@@ -87,11 +86,11 @@ void a_mirrored_shape_has_mirrored_clusters()
     p[0] = -p[0];
   for (Face& face : mirror.faces)
     std::reverse(face.begin() + 1, face.end());
-  CHECK(clusters_of(weighted_dual_graph(mesh)).of_node == clusters_of(weighted_dual_graph(mirror)).of_node);
+  CHECK(clusters_of(mesh).of_node == clusters_of(mirror).of_node);
 }
 
 // The share of the arcs within clusters that lie between clusters of the other graph, or the other way round.
-double difference(const Weighted_dual_graph& graph, const Clusters& a, const Clusters& b)
+double difference(const Seam_graph& graph, const Clusters& a, const Clusters& b)
 {
   std::size_t different = 0;
   for (Index i = 0; i < graph.number_of_nodes(); ++i)
@@ -107,33 +106,14 @@ double difference(const Weighted_dual_graph& graph, const Clusters& a, const Clu
 void a_moved_vertex_changes_clusters_nearby()
 {
   Test_mesh mesh = bumpy_sphere(5, 4);
-  const Weighted_dual_graph graph = weighted_dual_graph(mesh);
-  const Clusters clusters = clusters_of(graph);
+  const Seam_graph graph = seam_graph(mesh);
+  const Clusters clusters = clusters_of(mesh);
   const double edge = length(mesh.points[mesh.faces[0][0]] - mesh.points[mesh.faces[0][1]]);
-  const Clusters all_moved = clusters_of(weighted_dual_graph(jittered(mesh, 0.01 * edge, 1)));
+  const Clusters all_moved = clusters_of(jittered(mesh, 0.01 * edge, 1));
   mesh.points[0] = 1.01 * mesh.points[0];
-  const Clusters one_moved = clusters_of(weighted_dual_graph(mesh));
+  const Clusters one_moved = clusters_of(mesh);
   CHECK(difference(graph, clusters, one_moved) < 0.01);
   CHECK(difference(graph, clusters, all_moved) < 0.1);
-}
-
-// Above that number of faces, the nodes of the coarse graph are made of groups of faces.
-void a_large_surface_has_as_many_nodes()
-{
-  const Weighted_dual_graph graph = weighted_dual_graph(icosphere(7)); // 327,680 faces
-  const std::optional<internal::Coarse_graph> groups = internal::make_groups(graph, quiet_execution());
-  const internal::Coarse_graph coarse = internal::make_coarse_graph(graph, std::nullopt, groups, quiet_execution());
-  CHECK(coarse.graph.number_of_nodes() > 1500 && coarse.graph.number_of_nodes() < 2500);
-  CHECK_EQUAL(number_of_pieces(graph, {coarse.node, coarse.graph.number_of_nodes()}), coarse.graph.number_of_nodes());
-}
-
-void a_small_surface_stays_as_it_is()
-{
-  const internal::Coarse_graph coarse =
-    internal::make_coarse_graph(weighted_dual_graph(icosphere(2)), std::nullopt, std::nullopt, quiet_execution());
-  CHECK_EQUAL(coarse.graph.number_of_nodes(), icosphere(2).faces.size());
-  for (Index f = 0; f < coarse.node.size(); ++f)
-    CHECK_EQUAL(coarse.node[f], f);
 }
 
 int main()
@@ -145,7 +125,5 @@ int main()
   their_number_does_not_depend_on_the_triangles();
   a_mirrored_shape_has_mirrored_clusters();
   a_moved_vertex_changes_clusters_nearby();
-  a_large_surface_has_as_many_nodes();
-  a_small_surface_stays_as_it_is();
   return check::result();
 }

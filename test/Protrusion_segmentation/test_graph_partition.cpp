@@ -2,104 +2,125 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Nodes by their distances from others, against the definition: ways that get shorter until none does.
+// Sides of cuts on small surfaces.
 
 #include "check.h"
-#include "indexed_surfaces.h"
+#include "dual_graphs.h"
 #include "test_meshes.h"
-#include "weighted_dual_graphs.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
 
 #include <algorithm>
-#include <limits>
+#include <set>
 #include <utility>
 #include <vector>
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 using internal::Graph_partition;
-using internal::Weighted_dual_graph;
-using Nodes = Graph_partition::Nodes;
+using internal::Nodes;
 
-// The nodes up to a limit that can be reached over nodes of segment 0, the nearest first, equally near ones by number.
-std::vector<std::pair<float, Index>> expected_order(const Graph_partition& partition, const Nodes& seeds, double limit)
+void both_sides_of_a_cut_are_connected(unsigned int seed)
 {
-  const Weighted_dual_graph& graph = partition.graph();
-  std::vector<float> distances(graph.number_of_nodes(), std::numeric_limits<float>::infinity());
-  for (Index seed : seeds)
-    distances[seed] = 0;
-  for (bool has_changed = true; has_changed;)
-  {
-    has_changed = false;
-    for (Index i = 0; i < graph.number_of_nodes(); ++i)
-      for (Index arc : graph.arcs(i))
-        if (const float distance = distances[i] + graph.length[arc];
-            partition.segment(graph.target[arc]) == 0 && distance < distances[graph.target[arc]])
-        {
-          distances[graph.target[arc]] = distance;
-          has_changed = true;
-        }
-  }
-  std::vector<std::pair<float, Index>> result;
-  for (Index i = 0; i < graph.number_of_nodes(); ++i)
-    if (distances[i] < std::numeric_limits<float>::infinity() && distances[i] <= limit)
-      result.emplace_back(distances[i], i);
-  std::sort(result.begin(), result.end());
-  return result;
-}
-
-std::vector<std::pair<float, Index>> found_order(Graph_partition& partition, const Nodes& seeds, double limit)
-{
-  const internal::Nodes_by_distance found = partition.nodes_by_distance(
-    seeds, [&](Index i) { return partition.segment(i) == 0; }, partition.graph().lengths(), limit);
-  std::vector<std::pair<float, Index>> result;
-  for (std::size_t k = 0; k < found.nodes.size(); ++k)
-    result.emplace_back(static_cast<float>(found.distances[k]), found.nodes[k]);
-  return result;
-}
-
-// From one node or two of them, up to any limit; nothing is left behind for the next search.
-void is_as_defined(const Weighted_dual_graph& graph, std::uint_fast32_t seed)
-{
+  const Seam_graph graph = seam_graph(random_surface(seed));
+  const Nodes nodes = all_nodes(graph);
+  Graph_partition partition(graph);
   Random random(seed);
-  const Index n = graph.number_of_nodes();
-  std::vector<Index> segments(n, 0);
-  for (Index& segment : segments)
-    segment = random.index(5) == 0 ? 1 : 0;
-  Graph_partition partition(graph, segments);
-  for (int i = 0; i < 6; ++i)
+  Nodes some;
+  for (const Index i : nodes)
+    if (random.index(3) == 0)
+      some.push_back(i);
+  if (some.empty())
+    return;
+  const Nodes inner = partition.connect_sides(nodes, some);
+  for (const bool side : {true, false})
   {
-    Nodes seeds(1, Index(random.index(n)));
-    if (i % 2 == 1)
-      seeds.push_back(Index((seeds[0] + 1 + random.index(n - 1)) % n));
-    const auto all = expected_order(partition, seeds, std::numeric_limits<double>::infinity());
-    for (const double limit : {0., double(all[all.size() / 2].first), double(all.back().first) / 3, 1e30})
-      CHECK(found_order(partition, seeds, limit) == expected_order(partition, seeds, limit));
-    const auto farthest = partition.farthest_node(
-      seeds, [&](Index node) { return partition.segment(node) == 0; }, graph.lengths());
-    CHECK_EQUAL(farthest.first, all.back().second);
-    CHECK_EQUAL(farthest.second, all.back().first);
+    const auto on_side = [&](Index i) { return partition.is_inner(i) == side; };
+    const auto first = std::find_if(nodes.begin(), nodes.end(), on_side);
+    const std::size_t size = side ? inner.size() : nodes.size() - inner.size();
+    if (first != nodes.end())
+      CHECK_EQUAL(partition.connected_nodes(*first, on_side).size(), size);
+    else
+      CHECK_EQUAL(size, 0);
   }
 }
 
-// Lengths of all kinds: all the same, so that many nodes are equally near, any, and some that are a million times the mean.
-void is_as_defined_for_all_lengths()
+// Around connected nodes the inner side keeps all of them.
+void connected_nodes_stay_on_their_side(unsigned int seed)
 {
-  for (std::uint_fast32_t seed = 0; seed < 30; ++seed)
-  {
-    Weighted_dual_graph graph = weighted_dual_graph(random_surface(seed));
-    is_as_defined(graph, seed);
-    Random random(seed);
-    for (Index i = 0; i < graph.number_of_nodes(); ++i)
-      for (Index arc : graph.arcs(i))
-        graph.length[arc] = seed % 3 == 0 ? 1.f : float(random.real(0.1, 1)) * (random.index(50) == 0 ? 1e6f : 1.f);
-    is_as_defined(graph, seed + 1000);
-  }
+  const Seam_graph graph = seam_graph(random_surface(seed));
+  Graph_partition partition(graph);
+  const Nodes nodes = all_nodes(graph);
+  Random random(seed);
+  std::vector<bool> may_be_in;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    may_be_in.push_back(random.index(4) != 0);
+  Nodes connected = partition.connected_nodes(Index(random.index(nodes.size())),
+                                              [&](Index i) { return may_be_in[i]; });
+  std::sort(connected.begin(), connected.end());
+  CHECK(partition.are_connected(connected));
+  const Nodes inner = partition.connect_sides(nodes, connected);
+  CHECK(std::includes(inner.begin(), inner.end(), connected.begin(), connected.end()));
+  CHECK(partition.marked(nodes) == inner);
+}
+
+// The arcs of a cut and the nodes along it, against all arcs.
+void cuts_are_walked_along(unsigned int seed)
+{
+  const Seam_graph graph = seam_graph(random_surface(seed));
+  Graph_partition partition(graph);
+  Random random(seed);
+  const internal::Segment segment = {all_nodes(graph), 1};
+  Nodes inner;
+  for (const Index i : segment.nodes)
+    if (random.index(2) == 0)
+      inner.push_back(i);
+  partition.select(segment);
+  partition.mark(segment.nodes, inner);
+  std::set<Index> expected, found, inside, outside;
+  for (const Index i : inner)
+    for (const Index arc : graph.arcs(i))
+      if (const Index j = graph.target[arc]; !std::binary_search(inner.begin(), inner.end(), j))
+      {
+        expected.insert(arc);
+        inside.insert(i);
+        outside.insert(j);
+      }
+  partition.for_each_arc_of_cut(inner, [&](Index arc, Index, Index) { found.insert(arc); });
+  CHECK(found == expected);
+  const auto along = partition.nodes_along_cut(inner);
+  CHECK(std::set<Index>(along.first.begin(), along.first.end()) == inside);
+  CHECK(std::set<Index>(along.second.begin(), along.second.end()) == outside);
+  CHECK_EQUAL(along.first.size(), inside.size());
+  CHECK_EQUAL(along.second.size(), outside.size());
+}
+
+// What is selected anew has nothing marked, and nodes beside it are on no side.
+void one_segment_is_selected()
+{
+  const Seam_graph graph = seam_graph(sheet(10, 10));
+  Graph_partition partition(graph);
+  const Nodes all = all_nodes(graph);
+  const internal::Segment first = {{all.begin(), all.begin() + 40}, 0.4},
+                          second = {{all.begin() + 30, all.end()}, 0.7};
+  partition.select(first);
+  partition.mark(first.nodes, {0, 1, 2});
+  CHECK(partition.is_inner(0) && partition.is_outer(39) && !partition.is_selected(40));
+  CHECK(internal::other_side(first, {0, 1, 2}) == Nodes(all.begin() + 3, all.begin() + 40));
+  partition.select(second);
+  CHECK(!partition.is_selected(0) && partition.is_outer(30) && partition.marked(all).empty());
+  partition.select(first);
+  CHECK(partition.marked(all).empty() && partition.is_outer(0) && !partition.is_selected(40));
 }
 
 int main()
 {
-  is_as_defined_for_all_lengths();
+  for (unsigned int seed = 0; seed < 60; ++seed)
+  {
+    both_sides_of_a_cut_are_connected(seed);
+    connected_nodes_stay_on_their_side(seed);
+    cuts_are_walked_along(seed);
+  }
+  one_segment_is_selected();
   return check::result();
 }

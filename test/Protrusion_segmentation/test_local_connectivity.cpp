@@ -2,21 +2,21 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is found out about a side of a cut near the nodes that have changed sides, against a walk over all of it.
+// Connectivity of a side of a cut, found near the nodes that have changed sides, against a walk over all of it.
 
 #include "check.h"
-#include "indexed_surfaces.h"
+#include "dual_graphs.h"
 #include "test_meshes.h"
-#include "weighted_dual_graphs.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Local_connectivity.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Local_connectivity.h>
 
 #include <algorithm>
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 using internal::Graph_partition;
-using Nodes = Graph_partition::Nodes;
+using internal::Nodes;
 
 // The nodes on one side.
 Nodes side(const Graph_partition& partition, bool inner)
@@ -28,20 +28,28 @@ Nodes side(const Graph_partition& partition, bool inner)
   return result;
 }
 
-// The nodes of the segment that is nearest to `seed`, a disc, are its inner side.
+// All nodes of a graph, the nearest to `seed` first.
+Nodes nearest_first(const Seam_graph& graph, Index seed)
+{
+  return internal::Graph_distances(graph)(
+           {seed}, [](Index, Index) { return true; }, graph.lengths())
+    .nodes;
+}
+
+// The `size` nodes that are nearest to `seed`, a disc, are the inner side.
 void mark_disc(Graph_partition& partition, Index seed, std::size_t size)
 {
-  const auto order = partition.nodes_by_distance({seed}, [](Index) { return true; }, partition.graph().lengths());
-  for (std::size_t k = 0; k < order.nodes.size(); ++k)
-    partition.set_inner(order.nodes[k], k < size);
+  const Nodes order = nearest_first(partition.graph(), seed);
+  for (std::size_t k = 0; k < order.size(); ++k)
+    partition.set_inner(order[k], k < size);
 }
 
 void agrees_with_a_walk_over_all(const Test_mesh& mesh)
 {
-  const auto graph = weighted_dual_graph(mesh);
+  const Seam_graph graph = seam_graph(mesh);
   const Index n = graph.number_of_nodes();
   Random random(n);
-  Graph_partition partition(graph, std::vector<Index>(n, 0));
+  Graph_partition partition(graph);
   internal::Local_connectivity connectivity(partition);
   std::size_t connected = 0, seen = 0;
   for (int i = 0; i < 400; ++i)
@@ -62,7 +70,7 @@ void agrees_with_a_walk_over_all(const Test_mesh& mesh)
     {
       const Nodes nodes = side(partition, inner);
       const bool is_connected = !nodes.empty() && partition.are_connected(nodes);
-      const bool is_seen = connectivity.is_connected(0, inner, changed);
+      const bool is_seen = connectivity.is_connected(inner, changed);
       CHECK(is_connected || !is_seen);
       connected += is_connected;
       seen += is_seen;
@@ -75,17 +83,17 @@ void agrees_with_a_walk_over_all(const Test_mesh& mesh)
 // A disc may leave a torus; a face of it that comes back alone is seen to be no part of the rest.
 void an_island_is_not_connected()
 {
-  const auto graph = weighted_dual_graph(torus());
-  Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
+  const Seam_graph graph = seam_graph(torus());
+  Graph_partition partition(graph);
   internal::Local_connectivity connectivity(partition);
-  const auto order = partition.nodes_by_distance({0}, [](Index) { return true; }, graph.lengths());
-  const std::size_t size = order.nodes.size() / 10;
+  const Nodes order = nearest_first(graph, 0);
+  const std::size_t size = order.size() / 10;
   for (std::size_t k = 0; k < size; ++k)
-    partition.set_inner(order.nodes[k], true);
-  CHECK(connectivity.is_connected(0, false, {order.nodes.begin(), order.nodes.begin() + std::ptrdiff_t(size)}));
+    partition.set_inner(order[k], true);
+  CHECK(connectivity.is_connected(false, {order.begin(), order.begin() + std::ptrdiff_t(size)}));
   partition.set_inner(0, false);
-  CHECK(!connectivity.is_connected(0, false, {0}));
-  CHECK(connectivity.is_connected(0, true, {0}));
+  CHECK(!connectivity.is_connected(false, {0}));
+  CHECK(connectivity.is_connected(true, {0}));
 }
 
 int main()

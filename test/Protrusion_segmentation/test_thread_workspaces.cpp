@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Loops and tasks with a workspace for every thread: nothing is left out or done twice, by nested loops neither, and no
-// workspace is made anew for another loop.
+// Loops with a workspace for every thread: every index is visited once, by nested loops too, and workspaces are kept from one
+// loop to the next.
 
 #include "check.h"
 
@@ -14,9 +14,7 @@
 #endif
 
 #include <atomic>
-#include <chrono>
 #include <cstddef>
-#include <thread>
 #include <vector>
 
 using CGAL::Protrusion_segmentation::internal::Thread_workspaces;
@@ -104,104 +102,36 @@ void without_threads_indices_are_in_order()
   CHECK_EQUAL(made.load(), 1u);
 }
 
-// Who hands tasks out goes on with the own workspace, which no other thread touches before `wait()`.
-void every_task_is_done_once(bool parallel, std::size_t most_threads)
-{
-  std::atomic<std::size_t> made(0);
-  Thread_workspaces<Counting_workspace> workspaces(made);
-  std::size_t expected = 0;
-  for (std::size_t n : {0, 1, 2, 7, 1000})
-  {
-    std::vector<std::atomic<int>> visits(n);
-    Thread_workspaces<Counting_workspace>::Tasks tasks(workspaces, parallel);
-    for (std::size_t i = 0; i < n; ++i)
-    {
-      workspaces.own().work();
-      tasks.run(
-        [&, i](Counting_workspace& workspace)
-        {
-          workspace.work();
-          ++visits[i];
-        });
-    }
-    tasks.wait();
-    check_all_once(visits);
-    CHECK_EQUAL(total(workspaces), expected += 2 * n);
-  }
-  CHECK(made <= 1 + most_threads);
-  CHECK_EQUAL(workspaces.own().done(), parallel ? expected / 2 : expected);
-}
-
-// Of a task it comes out of `wait()`; of who hands tasks out it is the one that counts, and no task is left behind that works
-// on what is gone.
+// An exception leaves the loop, and the workspaces serve the next one.
 void exceptions_get_through(bool parallel)
 {
-  struct Of_task {};
-  struct Of_caller {};
+  struct Of_body
+  {};
   std::atomic<std::size_t> made(0);
   Thread_workspaces<Counting_workspace> workspaces(made);
   bool is_caught = false;
   try
   {
-    Thread_workspaces<Counting_workspace>::Tasks tasks(workspaces, parallel);
-    for (std::size_t i = 0; i < 20; ++i)
-      tasks.run(
-        [i](Counting_workspace&)
-        {
-          if (i == 7)
-            throw Of_task();
-        });
-    tasks.wait();
+    workspaces.for_each_index(20, parallel,
+                              [](Counting_workspace&, std::size_t i)
+                              {
+                                if (i == 7)
+                                  throw Of_body();
+                              });
   }
-  catch (const Of_task&)
+  catch (const Of_body&)
   {
     is_caught = true;
   }
   CHECK(is_caught);
-
-  std::atomic<int> begun(0), ended(0);
-  is_caught = false;
-  try
-  {
-    Thread_workspaces<Counting_workspace>::Tasks tasks(workspaces, parallel);
-    for (std::size_t i = 0; i < 20; ++i)
-      tasks.run(
-        [&](Counting_workspace&)
-        {
-          ++begun;
-          std::this_thread::sleep_for(std::chrono::milliseconds(1));
-          ++ended;
-          throw Of_task();
-        });
-    throw Of_caller();
-  }
-  catch (const Of_caller&)
-  {
-    is_caught = true;
-    CHECK_EQUAL(begun.load(), ended.load());
-  }
-  CHECK(is_caught);
-}
-
-void without_threads_tasks_are_done_in_order_at_the_end()
-{
-  std::atomic<std::size_t> made(0);
-  Thread_workspaces<Counting_workspace> workspaces(made);
-  Thread_workspaces<Counting_workspace>::Tasks tasks(workspaces, false);
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < 5; ++i)
-    tasks.run([&order, i](Counting_workspace&) { order.push_back(i); });
-  CHECK(order.empty());
-  tasks.wait();
-  CHECK(order == (std::vector<std::size_t>{0, 1, 2, 3, 4}));
-  CHECK_EQUAL(made.load(), 1u);
+  workspaces.for_each_index(20, parallel,
+                            [](Counting_workspace& workspace, std::size_t) { workspace.work(); });
+  CHECK_EQUAL(total(workspaces), 20u);
 }
 
 int main()
 {
   without_threads_indices_are_in_order();
-  without_threads_tasks_are_done_in_order_at_the_end();
-  every_task_is_done_once(false, 0);
   exceptions_get_through(false);
   every_index_comes_once(false, 0);
   loops_may_be_nested(false, 0);
@@ -211,7 +141,6 @@ int main()
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     every_index_comes_once(true, threads);
     loops_may_be_nested(true, threads);
-    every_task_is_done_once(true, threads);
     exceptions_get_through(true);
   }
 #endif

@@ -7,15 +7,16 @@
 #ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_NODE_SETS_H
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_NODE_SETS_H
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Weighted_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 
 #include <set>
 
 namespace test_meshes {
 
-using Node_set = std::set<CGAL::Protrusion_segmentation::internal::Weighted_dual_graph::Index>;
+using Node_set = std::set<CGAL::Protrusion_segmentation::internal::Dual_graph::Index>;
 
-inline double area_of(const CGAL::Protrusion_segmentation::internal::Weighted_dual_graph& graph, const Node_set& nodes)
+inline double area_of(const CGAL::Protrusion_segmentation::internal::Dual_graph& graph,
+                      const Node_set& nodes)
 {
   double area = 0;
   for (const auto i : nodes)

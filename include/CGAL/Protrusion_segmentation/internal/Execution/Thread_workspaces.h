@@ -10,13 +10,10 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_group.h>
 #endif
 
 #include <cstddef>
-#include <functional>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
@@ -27,8 +24,6 @@ template <typename Workspace>
 class Thread_workspaces
 {
 public:
-  class Tasks;
-
   template <typename... Arguments>
   explicit Thread_workspaces(Arguments&&... arguments) : m_own(std::forward<Arguments>(arguments)...)
   {}
@@ -68,69 +63,6 @@ private:
   Workspace m_own;
 #ifdef CGAL_LINKED_WITH_TBB
   tbb::enumerable_thread_specific<Workspace> m_of_threads{[this] { return Workspace(m_own); }};
-#endif
-};
-
-// Work that is handed out while more of it is found. Who hands it out may use the workspace `own()` until `wait()`.
-template <typename Workspace>
-class Thread_workspaces<Workspace>::Tasks
-{
-public:
-  Tasks(Thread_workspaces& workspaces, bool parallel) : m_workspaces(workspaces), m_is_parallel(parallel) {}
-  Tasks(const Tasks&) = delete;
-  Tasks& operator=(const Tasks&) = delete;
-
-  // What has not begun is not done any more if the scope is left by an exception, which then is the one that counts.
-  ~Tasks()
-  {
-#ifdef CGAL_LINKED_WITH_TBB
-    if (!m_is_parallel || m_has_waited)
-      return;
-    m_group.cancel();
-    try
-    {
-      m_group.wait();
-    }
-    catch (...)
-    {
-    }
-#endif
-  }
-
-  // Calls `body(workspace)`: within `wait()`, in the order of these calls, with the workspace, or, if parallel, at any time
-  // from now on with that of a thread.
-  template <typename Body>
-  void run(Body body)
-  {
-#ifdef CGAL_LINKED_WITH_TBB
-    if (m_is_parallel)
-    {
-      m_group.run([this, body = std::move(body)] { body(m_workspaces.m_of_threads.local()); });
-      return;
-    }
-#endif
-    m_deferred.push_back(std::move(body));
-  }
-
-  // Until all is done. To be called once.
-  void wait()
-  {
-#ifdef CGAL_LINKED_WITH_TBB
-    m_has_waited = true;
-    if (m_is_parallel)
-      m_group.wait();
-#endif
-    for (const std::function<void(Workspace&)>& body : m_deferred)
-      body(m_workspaces.m_own);
-  }
-
-private:
-  Thread_workspaces& m_workspaces;
-  bool m_is_parallel;
-  std::vector<std::function<void(Workspace&)>> m_deferred;
-#ifdef CGAL_LINKED_WITH_TBB
-  bool m_has_waited = false;
-  tbb::task_group m_group;
 #endif
 };
 

@@ -10,7 +10,6 @@
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 #endif
 
 #include <cstddef>
@@ -67,22 +66,6 @@ void for_each_index(std::size_t n, bool parallel, Body body)
   static_cast<void>(parallel);
   for (std::size_t i = 0; i < n; ++i)
     body(i);
-}
-
-// Calls both: one after the other, or, if parallel, at the same time.
-template <typename First, typename Second>
-void call_both(bool parallel, First first, Second second)
-{
-#ifdef CGAL_LINKED_WITH_TBB
-  if (parallel)
-  {
-    tbb::parallel_invoke(first, second);
-    return;
-  }
-#endif
-  static_cast<void>(parallel);
-  first();
-  second();
 }
 
 } // namespace internal

@@ -2,15 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Regions that hang together, against brute force on small surfaces and on a body whose regions are known.
+// Connected regions with cheap borders, against brute force on small surfaces and on a body whose regions are known.
 
 #include "check.h"
-#include "indexed_surfaces.h"
+#include "dual_graphs.h"
 #include "node_sets.h"
 #include "test_meshes.h"
-#include "weighted_dual_graphs.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/merged_regions.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Candidates/regions.h>
 
 #include <set>
 
@@ -18,19 +17,15 @@ using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 using internal::Graph_partition;
 using internal::Merged_regions;
+using internal::Nodes;
 using internal::Region;
-using internal::Weighted_dual_graph;
-using Nodes = Graph_partition::Nodes;
 
-Merged_regions regions_of(const Weighted_dual_graph& graph, Graph_partition& partition, Index segment)
+Merged_regions regions_of(const Seam_graph& graph, const Nodes& nodes)
 {
-  Nodes nodes;
-  for (Index i = 0; i < graph.number_of_nodes(); ++i)
-    if (partition.segment(i) == segment)
-      nodes.push_back(i);
-  std::vector<Index> number(graph.number_of_nodes());
-  internal::Region_merger merger;
-  Merged_regions result = merger(partition, segment, nodes, partition.area(nodes), number);
+  Graph_partition partition(graph);
+  const internal::Segment segment = {nodes, graph.area_of(nodes)};
+  partition.select(segment);
+  Merged_regions result = internal::Region_merger(graph)(partition, segment);
   Nodes sorted = result.order;
   std::sort(sorted.begin(), sorted.end());
   CHECK(sorted == nodes);
@@ -44,7 +39,7 @@ Node_set nodes_of(const Merged_regions& merged, const Region& region)
 }
 
 // what lies between two sets of nodes, or around one in its segment
-double cost_between(const Weighted_dual_graph& graph, const Node_set& a, const Node_set& b)
+double cost_between(const Seam_graph& graph, const Node_set& a, const Node_set& b)
 {
   double cost = 0;
   for (const Index i : a)
@@ -54,8 +49,8 @@ double cost_between(const Weighted_dual_graph& graph, const Node_set& a, const N
   return cost;
 }
 
-// All clusters that there are while those two are merged that are tied strongest, found by trying all.
-std::set<Node_set> clusters_by_brute_force(const Weighted_dual_graph& graph, const Node_set& segment)
+// All clusters while the two of the largest affinity for their size are merged, found by trying all.
+std::set<Node_set> clusters_by_brute_force(const Seam_graph& graph, const Node_set& segment)
 {
   std::vector<Node_set> clusters;
   for (const Index i : segment)
@@ -86,14 +81,19 @@ std::set<Node_set> clusters_by_brute_force(const Weighted_dual_graph& graph, con
   return result;
 }
 
-void regions_are_the_best_clusters(const Weighted_dual_graph& graph, Graph_partition& partition, Index segment)
+void regions_are_the_best_clusters(const Seam_graph& graph, const Nodes& segment)
 {
-  const Merged_regions merged = regions_of(graph, partition, segment);
+  const Merged_regions merged = regions_of(graph, segment);
   const Node_set nodes(merged.order.begin(), merged.order.end());
   const std::set<Node_set> clusters = clusters_by_brute_force(graph, nodes);
   const double segment_area = area_of(graph, nodes);
   const auto cost = [&](const Node_set& set)
-  { return internal::relative_cost(cost_between(graph, set, nodes), area_of(graph, set), segment_area); };
+  {
+    const double area = area_of(graph, set), smaller = (std::min)(area, segment_area - area);
+    return internal::is_large_enough(area, segment_area)
+             ? internal::cost_for_area(cost_between(graph, set, nodes), smaller)
+             : infinity;
+  };
   double best = infinity, before = 0;
   for (const Node_set& cluster : clusters)
     if (cluster.size() > 1)
@@ -113,15 +113,13 @@ void regions_are_the_best_clusters(const Weighted_dual_graph& graph, Graph_parti
 
 void random_surfaces(unsigned int seed)
 {
-  const Weighted_dual_graph graph = weighted_dual_graph(random_surface(seed));
-  Graph_partition whole(graph, std::vector<Index>(graph.number_of_nodes(), 0));
-  regions_are_the_best_clusters(graph, whole, 0);
-  // a segment that need not be connected
-  std::vector<Index> segments(graph.number_of_nodes());
-  for (Index i = 0; i < segments.size(); ++i)
-    segments[i] = (i / 7 + seed) % 2;
-  Graph_partition parts(graph, segments);
-  regions_are_the_best_clusters(graph, parts, 0);
+  const Seam_graph graph = seam_graph(random_surface(seed));
+  regions_are_the_best_clusters(graph, all_nodes(graph));
+  Nodes part; // that need not be connected
+  for (Index i = 0; i < graph.number_of_nodes(); ++i)
+    if ((i / 7 + seed) % 2 == 0)
+      part.push_back(i);
+  regions_are_the_best_clusters(graph, part);
 }
 
 // A fish: a long body with a fin on its back that is as long as half of it, low and thin. A level set of the distance from
@@ -132,9 +130,8 @@ void a_low_fin_is_a_region()
   add_cubes(cubes, {0, 0, 0}, {24, 7, 7});
   add_cubes(cubes, {6, 3, 7}, {18, 4, 10});
   const Indexed_surface surface = to_surface(triangulated(voxels(cubes)));
-  const Weighted_dual_graph graph = weighted_dual_graph(surface);
-  Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
-  const Merged_regions merged = regions_of(graph, partition, 0);
+  const Seam_graph graph = seam_graph(surface);
+  const Merged_regions merged = regions_of(graph, all_nodes(graph));
   const auto is_of_fin = [&](Index face) { return surface.centroid(face).z() > 7; };
   Node_set fin;
   for (const Index i : merged.order)
@@ -145,20 +142,20 @@ void a_low_fin_is_a_region()
   {
     const Node_set set = nodes_of(merged, region);
     const double common = static_cast<double>(std::count_if(set.begin(), set.end(), is_of_fin));
-    best = (std::max)(best, common / static_cast<double>(set.size() + fin.size() - static_cast<std::size_t>(common)));
+    best = (std::max)(
+      best, common / static_cast<double>(set.size() + fin.size() - static_cast<std::size_t>(common)));
   }
   CHECK(best > 0.95);
 }
 
-// Areas and ties of zero.
+// Areas and affinities of zero.
 void collapsed_faces()
 {
   Test_mesh mesh = star(4);
   for (std::size_t p = 0; p < mesh.points.size(); p += 16)
     mesh.points[p] = mesh.points.front();
-  const Weighted_dual_graph graph = weighted_dual_graph(mesh);
-  Graph_partition partition(graph, std::vector<Index>(graph.number_of_nodes(), 0));
-  for (const Region& region : regions_of(graph, partition, 0).regions)
+  const Seam_graph graph = seam_graph(mesh);
+  for (const Region& region : regions_of(graph, all_nodes(graph)).regions)
     CHECK(region.relative_cost >= 0 && region.relative_cost < infinity);
 }
 

@@ -2,14 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Sheets cut out of a plane, whose outline alone tells what sticks out.
+// Averaged normals; sheets cut out of a plane, whose outline alone shows what sticks out.
 
 #include "check.h"
-#include "indexed_surfaces.h"
+#include "dual_graphs.h"
 #include "segmentations.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/rounded_normals.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/average_normals.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -50,7 +50,8 @@ Test_mesh sheet(Part part, int cells = 90)
     for (int i = 0; i < cells; ++i)
       if (const int p = part((i + 0.5) * size - 1, (j + 0.5) * size - 1); p != outside)
       {
-        const std::size_t a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1), d = point(i, j + 1);
+        const std::size_t a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1),
+                          d = point(i, j + 1);
         mesh.add_face({a, b, (i + j) % 2 == 0 ? c : d}, std::size_t(p));
         mesh.add_face({(i + j) % 2 == 0 ? a : b, c, d}, std::size_t(p));
       }
@@ -92,6 +93,20 @@ Segmentation segmentation(const Test_mesh& mesh)
   return checked(faces, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(faces, ids); });
 }
 
+void normals_of_a_sphere_point_outward()
+{
+  const Indexed_surface surface = to_surface(jittered(icosphere(4), 0.005, 1));
+  const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(
+    surface, seam_graph(surface), centres(surface), false, quiet_execution());
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+  {
+    const Indexed_surface::Vector_3 radius = surface.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
+    const Indexed_surface::Vector_3 normal(normals[f][0], normals[f][1], normals[f][2]);
+    CHECK_CLOSE(normal.squared_length(), 1, 1e-6);
+    CHECK(normal * radius > 0.98 * std::sqrt(radius.squared_length()));
+  }
+}
+
 void what_is_flat()
 {
   const Test_mesh plane = star(5, 30);
@@ -108,13 +123,20 @@ void what_is_flat()
 void no_parts_without_concave_corners()
 {
   const auto inside = [](bool is_inside) { return is_inside ? 0 : outside; };
-  CHECK_EQUAL(segmentation(sheet([&](double x, double y) { return inside(std::hypot(x, y) < 0.95); })).number, 1u);
-  CHECK_EQUAL(segmentation(sheet([&](double x, double y) { return inside(std::abs(x) < 0.8 && std::abs(y) < 0.8); })).number,
-              1u);
-  CHECK_EQUAL(segmentation(sheet([&](double, double y) { return inside(std::abs(y) < 0.2); })).number, 1u);
-  CHECK_EQUAL(segmentation(sheet([&](double x, double y) { return inside(x * x + 4 * y * y < 0.9); })).number, 1u);
   CHECK_EQUAL(
-    segmentation(sheet([&](double x, double y) { return inside(std::abs(std::hypot(x, y) - 0.7) < 0.2); })).number, 1u);
+    segmentation(sheet([&](double x, double y) { return inside(std::hypot(x, y) < 0.95); })).number, 1u);
+  CHECK_EQUAL(segmentation(
+                sheet([&](double x, double y) { return inside(std::abs(x) < 0.8 && std::abs(y) < 0.8); }))
+                .number,
+              1u);
+  CHECK_EQUAL(segmentation(sheet([&](double, double y) { return inside(std::abs(y) < 0.2); })).number,
+              1u);
+  CHECK_EQUAL(
+    segmentation(sheet([&](double x, double y) { return inside(x * x + 4 * y * y < 0.9); })).number, 1u);
+  CHECK_EQUAL(segmentation(
+                sheet([&](double x, double y) { return inside(std::abs(std::hypot(x, y) - 0.7) < 0.2); }))
+                .number,
+              1u);
 }
 
 void arms_are_parts()
@@ -129,8 +151,9 @@ void place_and_size_do_not_count()
 {
   const Test_mesh plane = star(5, 90);
   const Labels labels = as_partition(segmentation(plane).labels);
-  for (const Test_mesh& moved : {translated(plane, {5, -3, 2}), scaled(plane, 1000),
-                                 translated(rotated(plane, {1, 1, 0}, 2), {0, 100, 0}), with_reversed_orientation(plane)})
+  for (const Test_mesh& moved :
+       {translated(plane, {5, -3, 2}), scaled(plane, 1000),
+        translated(rotated(plane, {1, 1, 0}, 2), {0, 100, 0}), with_reversed_orientation(plane)})
     CHECK(share_in_true_parts(plane, segmentation(moved).labels) >= 0.97);
   CHECK_EQUAL(as_partition(segmentation(translated(plane, {0, 0, 4})).labels) == labels, true);
 }
@@ -156,6 +179,7 @@ void a_face_may_have_all_others_around_it()
 
 int main()
 {
+  normals_of_a_sphere_point_outward();
   what_is_flat();
   no_parts_without_concave_corners();
   arms_are_parts();

@@ -5,12 +5,11 @@
 // The lengths and costs of borders between nodes of a coarse graph, as if the borders were straight.
 
 #include "check.h"
-#include "indexed_surfaces.h"
+#include "dual_graphs.h"
 #include "test_meshes.h"
-#include "weighted_dual_graphs.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/coarsen_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/straighten_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarse_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/contract_graph.h>
 
 #include <cmath>
 #include <cstddef>
@@ -20,8 +19,6 @@
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
-using internal::Graph_contraction;
-using internal::Weighted_dual_graph;
 
 // Lengths are stored in single precision.
 constexpr double precision = 1e-5;
@@ -30,18 +27,19 @@ constexpr double least_share = 0.8;
 
 struct Borders
 {
-  Weighted_dual_graph ragged, straight;
+  Seam_graph ragged, straight;
 };
 
 // Of the sets of faces with equal numbers, from 0 to below `count`.
 Borders borders(const Test_mesh& mesh, const std::vector<Index>& node, Index count)
 {
   const Indexed_surface surface = to_surface(mesh);
-  const Weighted_dual_graph fine = weighted_dual_graph(surface);
+  const Seam_graph fine = seam_graph(surface);
   Borders result;
-  result.ragged = Graph_contraction(fine, node, count, false)();
+  result.ragged = internal::contract(fine, centres(surface), {node, count}, false).graph;
   result.straight = result.ragged;
-  internal::straighten_borders(surface, fine, node, result.straight);
+  internal::Border_straightener(surface, fine, node, result.straight)(internal::Index_groups(node, count),
+                                                                      false);
   return result;
 }
 
@@ -74,11 +72,13 @@ void a_staircase_has_the_length_of_its_chord()
 {
   const int n = 32;
   const Test_mesh mesh = nearly_flat_sheet(n);
-  const Borders found = borders_of_region(mesh, [](const Point& p) { return p[1] < 8 + std::floor(p[0] / 4); });
+  const Borders found = borders_of_region(mesh,
+                                          [](const Point& p) { return p[1] < 8 + std::floor(p[0] / 4); });
   CHECK_CLOSE(length_on_mesh(mesh, found.ragged.border_length[0]), n + n / 4 - 1, precision * n);
-  CHECK_CLOSE(length_on_mesh(mesh, found.straight.border_length[0]), std::hypot(n, n / 4 - 1), precision * n);
+  CHECK_CLOSE(length_on_mesh(mesh, found.straight.border_length[0]), std::hypot(n, n / 4 - 1),
+              precision * n);
   CHECK_CLOSE(found.straight.capacity[0], found.straight.border_length[0], precision); // no seam
-  CHECK_EQUAL(found.straight.concave_border_length[0], 0);
+  CHECK_EQUAL(found.straight.concave_length[0], 0);
 }
 
 void the_length_does_not_depend_on_the_size_of_faces()
@@ -104,15 +104,15 @@ void straight_borders_stay()
   {
     CHECK_CLOSE(faces.straight.border_length[arc], faces.ragged.border_length[arc], precision);
     CHECK_CLOSE(faces.straight.capacity[arc], faces.ragged.capacity[arc], precision);
-    CHECK_CLOSE(faces.straight.concave_border_length[arc], faces.ragged.concave_border_length[arc], precision);
+    CHECK_CLOSE(faces.straight.concave_length[arc], faces.ragged.concave_length[arc], precision);
   }
 }
 
 // Around a node there is no chord.
 void a_closed_border_keeps_most_of_its_length()
 {
-  const Borders found = borders_of_region(sheet(9, 9), [](const Point& p)
-                                          { return std::abs(p[0] - 4.5) < 2 && std::abs(p[1] - 4.5) < 2; });
+  const Borders found = borders_of_region(
+    sheet(9, 9), [](const Point& p) { return std::abs(p[0] - 4.5) < 2 && std::abs(p[1] - 4.5) < 2; });
   CHECK_CLOSE(found.straight.border_length[0], found.ragged.border_length[0] * least_share, precision);
 }
 
@@ -129,7 +129,7 @@ void steps_beside_a_seam_do_not_count()
   { return p[2] == 0 && !(p[0] > n / 2 - 5 && p[1] > 10 && p[1] < 20); };
   const Borders found = borders_of_region(mesh, is_left_of_border);
   const double length = length_on_mesh(mesh, found.straight.border_length[0]);
-  const double concave = length_on_mesh(mesh, found.straight.concave_border_length[0]);
+  const double concave = length_on_mesh(mesh, found.straight.concave_length[0]);
   CHECK_CLOSE(length_on_mesh(mesh, found.ragged.border_length[0]), n + 10, precision * n);
   CHECK_CLOSE(length, n, precision * n);
   // an open sheet has no inside: the seam is concave or not, by the sign of the volume, but it lies on three quarters
@@ -148,16 +148,14 @@ void weights_are_consistent(const Test_mesh& mesh, std::uint_fast32_t seed)
   for (Index i = 0; i < count; ++i)
     for (Index arc : found.straight.arcs(i))
     {
-      const Weighted_dual_graph& graph = found.straight;
-      Index back = *graph.arcs(graph.target[arc]).begin();
-      while (graph.target[back] != i)
-        ++back;
+      const Seam_graph& graph = found.straight;
+      const Index back = graph.arc_between(graph.target[arc], i);
       CHECK(graph.border_length[arc] == graph.border_length[back]);
       CHECK(graph.capacity[arc] == graph.capacity[back]);
-      CHECK(graph.concave_border_length[arc] == graph.concave_border_length[back]);
+      CHECK(graph.concave_length[arc] == graph.concave_length[back]);
       CHECK(graph.border_length[arc] <= found.ragged.border_length[arc] * (1 + precision));
       CHECK(graph.border_length[arc] >= found.ragged.border_length[arc] * (least_share - precision));
-      CHECK(graph.concave_border_length[arc] <= graph.border_length[arc] * (1 + precision));
+      CHECK(graph.concave_length[arc] <= graph.border_length[arc] * (1 + precision));
       CHECK(graph.capacity[arc] <= graph.border_length[arc] * (1 + precision));
     }
 }

@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Graphs whose nodes are sets of faces.
+
+#include "check.h"
+#include "checks_of_graphs.h"
+#include "dual_graphs.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarsen_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarse_borders.h>
+
+#include <vector>
+
+using namespace test_meshes;
+using namespace CGAL::Protrusion_segmentation;
+
+void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_of_nodes)
+{
+  const Indexed_surface surface = to_surface(mesh);
+  const Seam_graph fine = seam_graph(surface);
+  const internal::Contracted<Seam_graph> coarse = internal::coarsen(fine, centres(surface), fine.capacity,
+                                                                    number_of_nodes, quiet_execution());
+  const Index n = coarse.graph.number_of_nodes();
+  CHECK(n <= fine.number_of_nodes());
+  check_symmetry(coarse.graph);
+
+  std::vector<double> area(n, 0);
+  double border = 0;
+  for (Index f = 0; f < fine.number_of_nodes(); ++f)
+  {
+    area[coarse.node[f]] += fine.area[f];
+    for (const Index arc : fine.arcs(f))
+      if (coarse.node[fine.target[arc]] != coarse.node[f])
+        border += fine.capacity[arc];
+  }
+  for (Index i = 0; i < n; ++i)
+    CHECK_CLOSE(area[i], coarse.graph.area[i], 1e-12);
+  CHECK_CLOSE(sum(coarse.graph.capacity), border, 1e-4 * (1 + border));
+
+  // every node's faces are reached from its first one
+  std::vector<bool> has_begun(n, false), is_reached(fine.number_of_nodes(), false);
+  std::size_t reached = 0;
+  for (Index f = 0; f < fine.number_of_nodes(); ++f)
+  {
+    if (has_begun[coarse.node[f]])
+      continue;
+    has_begun[coarse.node[f]] = true;
+    std::vector<Index> queue(1, f);
+    is_reached[f] = true;
+    for (std::size_t i = 0; i < queue.size(); ++i, ++reached)
+      for (const Index arc : fine.arcs(queue[i]))
+      {
+        const Index g = fine.target[arc];
+        if (!is_reached[g] && coarse.node[g] == coarse.node[f])
+        {
+          is_reached[g] = true;
+          queue.push_back(g);
+        }
+      }
+  }
+  CHECK_EQUAL(reached, fine.number_of_nodes());
+}
+
+// Faces of a strip that are next to each other lie far from each other in the order of the faces.
+void a_strip_as_narrow_as_a_face_is_coarsened()
+{
+  const Indexed_surface surface = to_surface(thin_strip(10000, 1e-4));
+  const Seam_graph strip = seam_graph(surface);
+  for (const Index number : {Index(6000), Index(500)})
+    CHECK(internal::coarsen(strip, centres(surface), strip.capacity, number, quiet_execution())
+            .graph.number_of_nodes() < 1.1 * number);
+}
+
+// Threads only save time: all nodes and weights are the same to the last bit.
+void the_number_of_threads_does_not_matter()
+{
+#ifdef CGAL_LINKED_WITH_TBB
+  const Indexed_surface surface = to_surface(jittered(icosphere(6), 0.001, 5));
+  const Seam_graph fine = seam_graph(surface);
+  Execution parallel(0, true);
+  const auto expected = internal::coarsen(fine, centres(surface), fine.capacity, 2000, quiet_execution());
+  const auto found = internal::coarsen(fine, centres(surface), fine.capacity, 2000, parallel);
+  CHECK(found.node == expected.node && found.centre == expected.centre);
+  CHECK(found.graph.first_arc == expected.graph.first_arc && found.graph.target == expected.graph.target);
+  CHECK(found.graph.length == expected.graph.length && found.graph.area == expected.graph.area);
+  CHECK(found.graph.curvature == expected.graph.curvature &&
+        found.graph.capacity == expected.graph.capacity);
+
+  const internal::Index_groups faces_of_nodes(found.node, found.graph.number_of_nodes());
+  Volume_graph volumes, expected_volumes;
+  static_cast<Seam_graph&>(volumes) = found.graph;
+  static_cast<Seam_graph&>(expected_volumes) = expected.graph;
+  internal::measure_volumes(surface, found.node, faces_of_nodes, volumes, true);
+  internal::measure_volumes(surface, found.node, faces_of_nodes, expected_volumes, false);
+  CHECK(volumes.border_vector == expected_volumes.border_vector &&
+        volumes.border_area == expected_volumes.border_area);
+  CHECK(volumes.border_moment == expected_volumes.border_moment &&
+        volumes.area_vector == expected_volumes.area_vector);
+  CHECK(volumes.flux == expected_volumes.flux);
+#endif
+}
+
+int main()
+{
+  a_strip_as_narrow_as_a_face_is_coarsened();
+  the_number_of_threads_does_not_matter();
+  coarse_nodes_are_connected_and_add_up(star(4), 300);
+  coarse_nodes_are_connected_and_add_up(sheet(20, 30), 50);
+  coarse_nodes_are_connected_and_add_up(icosahedron(), 2000);
+  coarse_nodes_are_connected_and_add_up(merged({torus(), icosphere(3)}), 100);
+  for (unsigned int seed = 0; seed < 20; ++seed)
+    coarse_nodes_are_connected_and_add_up(random_surface(seed), 10);
+  return check::result();
+}

@@ -1,0 +1,108 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Protrusions that are cut off for picked tips.
+
+#include "check.h"
+#include "components.h"
+#include "segments_of_graphs.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/cuts_of_tips.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+using namespace test_meshes;
+using internal::Cut_set;
+using internal::Nodes;
+
+// Of every part but the first the face that is farthest from the origin.
+std::vector<Index> tips_of_parts(const Test_mesh& mesh)
+{
+  std::vector<Index> tips(number_of_parts(mesh) - 1, 0);
+  std::vector<double> farthest(tips.size(), -1);
+  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
+    if (const std::size_t part = mesh.parts[f];
+        part > 0 && length(centroid(mesh, mesh.faces[f])) > farthest[part - 1])
+    {
+      farthest[part - 1] = length(centroid(mesh, mesh.faces[f]));
+      tips[part - 1] = Index(f);
+    }
+  return tips;
+}
+
+bool contains(const Nodes& nodes, Index node)
+{
+  return std::binary_search(nodes.begin(), nodes.end(), node);
+}
+
+// The inner side of every cut has one of the tips only, and at most half of the surface.
+void check_cuts(const internal::Component& component, const Cut_set& set, const std::vector<Index>& tips)
+{
+  for (const Cut_set::Made_cut& cut : set.cuts)
+  {
+    const internal::Segment& inner = component.memo()[cut.inner].segment;
+    CHECK(inner.area <= 0.5 + 1e-9);
+    std::size_t count = 0;
+    for (const Index tip : tips)
+      count += contains(inner.nodes, component.graphs().node_of_face[tip]);
+    CHECK_EQUAL(count, 1u);
+  }
+  check_segments(component.graphs().coarse, labels_of_nodes(component, set), set.segments.size());
+}
+
+// One arm for each tip, whichever are picked.
+void arms_are_cut_off(const Test_mesh& mesh)
+{
+  Component_of_mesh of_mesh(mesh);
+  const std::vector<Index> all_tips = tips_of_parts(mesh);
+  for (std::size_t number = 0; number <= all_tips.size(); ++number)
+  {
+    const std::vector<Index> tips(all_tips.begin(), all_tips.begin() + std::ptrdiff_t(number));
+    const Cut_set set = of_mesh.component.cuts_of_tips(tips);
+    CHECK_EQUAL(set.segments.size(), number + 1);
+    check_cuts(of_mesh.component, set, tips);
+    const std::vector<Index> labels = labels_of_faces(of_mesh.component, set);
+    for (std::size_t t = 0; t < number; ++t)
+    {
+      double common = 0, both = 0;
+      for (std::size_t f = 0; f < labels.size(); ++f)
+      {
+        const bool is_in_part = mesh.parts[f] == t + 1, is_in_segment = labels[f] == labels[tips[t]];
+        common += is_in_part && is_in_segment ? of_mesh.surface.area(Index(f)) : 0;
+        both += is_in_part || is_in_segment ? of_mesh.surface.area(Index(f)) : 0;
+      }
+      CHECK(common > 0.8 * both);
+    }
+  }
+}
+
+// Any faces may be picked, also neighbours and all of them, and on what has no protrusion.
+void any_faces_may_be_tips(const Test_mesh& mesh)
+{
+  Component_of_mesh of_mesh(mesh);
+  const std::vector<std::size_t> order = random_permutation(mesh.faces.size(), 1);
+  for (const std::size_t number : {1, 2, 5, 12})
+  {
+    const std::vector<Index> tips(order.begin(),
+                                  order.begin() + std::ptrdiff_t((std::min)(number, order.size())));
+    const Cut_set set = of_mesh.component.cuts_of_tips(tips);
+    CHECK(set.segments.size() <= tips.size() + 1);
+    for (const Cut_set::Made_cut& cut : set.cuts)
+      CHECK(of_mesh.component.memo()[cut.inner].segment.area <= 0.5 + 1e-9);
+    check_segments(of_mesh.component.graphs().coarse, labels_of_nodes(of_mesh.component, set),
+                   set.segments.size());
+  }
+}
+
+int main()
+{
+  for (const std::size_t arms : {1, 4})
+    arms_are_cut_off(star(arms));
+  for (const Test_mesh& mesh : {creature(), icosphere(3), torus(), tetrahedron(), sheet(20, 30)})
+    any_faces_may_be_tips(mesh);
+  return check::result();
+}

@@ -1,0 +1,114 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Segments that are found again by their nodes, and sets of cuts of them.
+
+#include "check.h"
+#include "dual_graphs.h"
+#include "node_sets.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <vector>
+
+using namespace test_meshes;
+using namespace CGAL::Protrusion_segmentation;
+using internal::Cut_set;
+using internal::Nodes;
+using internal::Segment_memo;
+
+// Random sides of a segment.
+std::vector<internal::Cut> random_cuts(const Nodes& nodes, Random& random)
+{
+  std::vector<internal::Cut> cuts;
+  for (std::size_t c = 0; c < 4; ++c)
+  {
+    const double share = random.real(0.02, 0.5);
+    internal::Cut cut;
+    std::copy_if(nodes.begin(), nodes.end(), std::back_inserter(cut.inner),
+                 [&](Index) { return random.real(0, 1) < share; });
+    cut.value = random.real(-1, 1);
+    if (!cut.inner.empty() && cut.inner.size() < nodes.size())
+      cuts.push_back(cut);
+  }
+  internal::sort_best_first(cuts);
+  return cuts;
+}
+
+// Segments of random cuts of each other, each with the number of its nodes.
+void segments_are_found_by_their_nodes(std::uint_fast32_t seed)
+{
+  const Seam_graph graph = seam_graph(bumpy_sphere(2, seed));
+  Random random(seed);
+  Segment_memo memo(graph);
+  std::map<Nodes, Index> expected;
+  expected[all_nodes(graph)] = memo.find_or_add(all_nodes(graph));
+  const Segment_memo::Entry* const whole = &memo[0];
+  for (Index s = 0; s < memo.number_of_segments() && s < 30; ++s)
+  {
+    const Nodes nodes = memo[s].segment.nodes;
+    CHECK_CLOSE(memo[s].segment.area, area_of(graph, Node_set(nodes.begin(), nodes.end())), 1e-12);
+    CHECK(!memo[s].is_searched && memo[s].cuts.empty());
+    const std::vector<internal::Cut> cuts = random_cuts(nodes, random);
+    memo.set_cuts(s, cuts);
+    CHECK(memo[s].is_searched);
+    CHECK_EQUAL(memo[s].cuts.size(), cuts.size());
+    for (const internal::Cut& cut : cuts)
+    {
+      const Cut_set::Made_cut made = memo.made_cut(s, cut);
+      CHECK_EQUAL(made.segment, s);
+      CHECK_EQUAL(made.value, cut.value);
+      for (const Index side : {made.inner, made.outer})
+        CHECK_EQUAL(expected.emplace(memo[side].segment.nodes, side).first->second, side);
+      CHECK(memo[made.inner].segment.nodes == cut.inner);
+      CHECK(memo[made.outer].segment.nodes == internal::other_side(memo[s].segment, cut.inner));
+      CHECK_EQUAL(memo.find_or_add(cut.inner), made.inner);
+    }
+  }
+  CHECK_EQUAL(expected.size(), memo.number_of_segments());
+  CHECK(whole == &memo[0]); // others are added, addresses stay
+}
+
+// Two arms are cut off in one order and in the other one: what is left is one and the same segment.
+void a_segment_is_the_same_in_any_order_of_cuts()
+{
+  const Seam_graph graph = seam_graph(sheet(10, 10));
+  Segment_memo memo(graph);
+  const Nodes all = all_nodes(graph);
+  const Index whole = memo.find_or_add(all);
+  internal::Cut first, second;
+  first.inner = Nodes(all.begin(), all.begin() + 30);
+  second.inner = Nodes(all.end() - 30, all.end());
+  const Cut_set::Made_cut first_of_whole = memo.made_cut(whole, first),
+                          second_of_whole = memo.made_cut(whole, second);
+  const Cut_set::Made_cut second_of_rest = memo.made_cut(first_of_whole.outer, second);
+  const Cut_set::Made_cut first_of_rest = memo.made_cut(second_of_whole.outer, first);
+  CHECK_EQUAL(first_of_rest.outer, second_of_rest.outer);
+  CHECK_EQUAL(memo.number_of_segments(), 6u);
+}
+
+// Sets of cuts with equal segments are equal, whatever the order of the cuts; the order of the cuts remains known.
+void sets_add_up()
+{
+  const Cut_set whole = {{0}, {}, 0};
+  CHECK(whole.in_order_of_cuts() == std::vector<Index>{0});
+  const Cut_set set = whole.with({0, 5, 2, 0.5}).with({2, 7, 1, 0.25}).with({5, 3, 4, -0.125});
+  CHECK((set.segments == std::vector<Index>{1, 3, 4, 7}));
+  CHECK((set.in_order_of_cuts() == std::vector<Index>{7, 1, 3, 4}));
+  CHECK_EQUAL(set.value, 0.625);
+  CHECK_EQUAL(set.cuts.size(), 3u);
+}
+
+int main()
+{
+  for (std::uint_fast32_t seed = 0; seed < 20; ++seed)
+    segments_are_found_by_their_nodes(seed);
+  a_segment_is_the_same_in_any_order_of_cuts();
+  sets_add_up();
+  return check::result();
+}
