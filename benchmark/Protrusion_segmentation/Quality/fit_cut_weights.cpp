@@ -10,6 +10,7 @@
 #include "Candidate_pool.h"
 #include "Model_classes.h"
 #include "bootstrap.h"
+#include "markdown_head.h"
 
 #include <CLI/CLI.hpp>
 
@@ -194,7 +195,9 @@ void print_weights(Fit& fit, const Sample& all, std::size_t number_of_samples)
   std::mt19937 random(0);
   for (std::size_t i = 0; i < number_of_samples; ++i)
     of_samples.push_back(fit(drawn_again(all, random)));
-  std::cout << "| weight | of the package | fitted | mean of samples | spread |\n|:--|--:|--:|--:|--:|\n";
+  std::cout << "## Weights\n\nThe fit makes the Rand index error with a number of segments small; the last two columns are of "
+            << number_of_samples << " fits to models drawn again.\n\n"
+            << "| weight | of the package | fitted | mean of samples | spread |\n|:--|--:|--:|--:|--:|\n";
   for (const Named_weight& named : named_weights)
   {
     double sum = 0, squares = 0;
@@ -208,14 +211,14 @@ void print_weights(Fit& fit, const Sample& all, std::size_t number_of_samples)
               << " | " << std::sqrt((std::max)(0., squares / n - mean * mean)) << " |\n";
   }
   std::cout << "\nMean Rand index error: " << fit.error(all, present) << " with the weights of the package, "
-            << fit.error(all, fitted) << " with the fitted ones, " << fit.error(all, plain_weights())
-            << " with those that the fit begins with, on the models that they are fitted to.\n\n"
+            << fit.error(all, fitted) << " with the fitted ones.\n\n"
             << std::flush;
 }
 
 void print_other_classes(Fit& fit, const Sample& all)
 {
-  std::cout << "| class | models | weights of the package | fitted to the other classes |\n|:--|--:|--:|--:|\n";
+  std::cout << "## Classes that the fit has not seen\n\nEach class with weights fitted to the other classes.\n\n"
+            << "| class | models | weights of the package | fitted to the other classes |\n|:--|--:|--:|--:|\n";
   double sum_of_present = 0, sum_of_fitted = 0;
   const std::map<std::string, Sample> classes = by_class(all);
   for (const auto& [name, models] : classes)
@@ -256,6 +259,7 @@ int main(int argc, char** argv)
       all.push_back(pool.get());
     Fit fit(policy, rounds);
     std::cout << std::fixed << std::setprecision(3);
+    write_head(std::cout, "#", "Quality: weights of the clues", "fit_cut_weights", argc, argv);
     print_weights(fit, all, samples);
     print_other_classes(fit, all);
     return EXIT_SUCCESS;
