@@ -20,24 +20,18 @@ namespace {
 
 namespace PS = CGAL::Protrusion_segmentation;
 
-struct Policy : PS::internal::Cut_policy
-{
-  double log_odds(const PS::internal::Cut_clues& clues) const override { return weights(clues); }
-  bool moves_borders_on_faces() const override { return false; }
-
-  PS::internal::Cut_weights weights;
-};
+using PS::internal::Cut_weights;
 
 struct Method
 {
-  const Policy& policy;
+  PS::internal::Cut_options options;
 
   PS::internal::Nested_segments segment(const PS::Indexed_surface& surface,
                                         std::optional<std::size_t> number_of_segments,
                                         PS::Execution& execution) const
   {
     const std::optional<PS::internal::Any_distance> no_distance;
-    return PS::internal::Cut_segmentation(surface, no_distance, execution, policy)
+    return PS::internal::Cut_segmentation(surface, no_distance, execution, options)
       .with_number_of_segments(*number_of_segments);
   }
 };
@@ -51,11 +45,14 @@ double share_of_pairs_divided_otherwise(const Labels& a, const Labels& b)
   return 2 * double(number) / (double(a.size()) * double(a.size() - 1));
 }
 
-double expected_error(const Model& model, const Policy& policy)
+double expected_error(const Model& model, const Cut_weights& weights)
 {
+  Method method;
+  method.options.moves_borders_on_faces = false;
+  method.options.weights = weights;
   Labels labels(model.mesh.number_of_faces());
-  CGAL::segmentation_via_protrusion_tips(model.mesh, CGAL::make_property_map(labels), model.number_of_segments,
-                                         Method{policy});
+  CGAL::segmentation_via_protrusion_tips(model.mesh, CGAL::make_property_map(labels),
+                                         model.number_of_segments, method);
   double sum = 0;
   for (const Labels& human : model.humans)
     sum += share_of_pairs_divided_otherwise(labels, human);
@@ -81,26 +78,25 @@ Model star_model(std::size_t arms, std::size_t number_of_segments)
 void test_error(std::size_t arms, std::size_t number_of_segments)
 {
   const Model model = star_model(arms, number_of_segments);
-  Policy policy;
-  Candidate_pool pool(model, policy);
-  CHECK_CLOSE(pool.rand_index_error(), expected_error(model, policy), 1e-12);
-  policy.weights.segment_size = -2;
-  pool.rand_index_error();
-  policy.weights = PS::internal::Cut_weights();
-  CHECK_CLOSE(pool.rand_index_error(), expected_error(model, policy), 1e-12);
+  const Cut_weights weights;
+  Cut_weights others;
+  others.segment_size = -2;
+  Candidate_pool pool(model);
+  CHECK_CLOSE(pool.rand_index_error(weights), expected_error(model, weights), 1e-12);
+  pool.rand_index_error(others);
+  CHECK_CLOSE(pool.rand_index_error(weights), expected_error(model, weights), 1e-12);
 }
 
 // Long cuts away from seams are no arms of a star.
 void test_other_weights()
 {
   const Model model = star_model(5, 6);
-  Policy policy;
-  const double error = expected_error(model, policy);
-  policy.weights.concave_share = -6;
-  policy.weights.relative_length = 6;
-  policy.weights.larger_widening = -2;
-  CHECK(expected_error(model, policy) > error);
-  CHECK_CLOSE(Candidate_pool(model, policy).rand_index_error(), expected_error(model, policy), 1e-12);
+  Cut_weights weights;
+  weights.concave_share = -6;
+  weights.relative_length = 6;
+  weights.larger_widening = -2;
+  CHECK(expected_error(model, weights) > expected_error(model, Cut_weights()));
+  CHECK_CLOSE(Candidate_pool(model).rand_index_error(weights), expected_error(model, weights), 1e-12);
 }
 
 void test_components()
@@ -111,8 +107,7 @@ void test_components()
   model.mesh += other;
   for (Labels& human : model.humans)
     human.resize(model.mesh.number_of_faces(), 1);
-  const Policy policy;
-  CHECK_THROWS_WITH(Candidate_pool(model, policy), std::invalid_argument, "model 17 is not connected");
+  CHECK_THROWS_WITH(Candidate_pool{model}, std::invalid_argument, "model 17 is not connected");
 }
 
 } // namespace

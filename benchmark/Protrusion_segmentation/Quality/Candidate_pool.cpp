@@ -4,6 +4,8 @@
 
 #include "Candidate_pool.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/leave_out_specks.h>
@@ -11,6 +13,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -33,24 +36,27 @@ double pairs(double n)
 
 double sum_of_pairs(const std::vector<double>& numbers)
 {
-  return std::accumulate(numbers.begin(), numbers.end(), 0., [](double sum, double n) { return sum + pairs(n); });
+  return std::accumulate(numbers.begin(), numbers.end(), 0.,
+                         [](double sum, double n) { return sum + pairs(n); });
 }
 
 } // namespace
 
-Candidate_pool::Candidate_pool(const Model& model, const Cut_policy& policy)
+Candidate_pool::Candidate_pool(const Model& model)
   : m_class_name(model.class_name),
     m_number_of_segments(model.number_of_segments),
-    m_surface(PS::internal::leave_out_specks(PS::internal::read_arrays(model.mesh, CGAL::parameters::default_values()))),
-    m_cuts(connected(m_surface.surface(), model.number), m_no_distance, m_execution, policy)
+    m_surface(PS::internal::leave_out_specks(
+      PS::internal::read_arrays(model.mesh, CGAL::parameters::default_values()))),
+    m_graphs(connected(m_surface.surface(), model.number), m_options, m_execution),
+    m_search(m_surface.surface(), m_graphs, m_no_distance, m_options, m_execution)
 {
   count_shares(model.humans);
 }
 
 void Candidate_pool::count_shares(const std::vector<Labels>& humans)
 {
-  const std::vector<Index> node = m_surface.in_order_of_mesh(m_cuts.graphs().coarse.node);
-  m_shares.resize(m_cuts.graphs().coarse.graph.number_of_nodes());
+  const std::vector<Index> node = m_surface.in_order_of_mesh(m_graphs.node_of_face);
+  m_shares.resize(m_graphs.coarse.number_of_nodes());
   for (const Labels& human : humans)
   {
     std::map<std::pair<Index, std::size_t>, double> faces;
@@ -66,27 +72,47 @@ void Candidate_pool::count_shares(const std::vector<Labels>& humans)
   }
 }
 
-// Pairs that one segmentation has together and the other one apart.
-double Candidate_pool::rand_index_error()
+// The segments that were searched keep their cuts.
+void Candidate_pool::begin_again(const Cut_weights& weights)
 {
-  m_cuts.value_anew();
+  m_options.weights = weights;
+  auto beam = std::make_unique<PS::internal::Beam_search>(m_graphs.coarse, m_search, m_options);
+  for (Index id = 0; m_beam && id < m_beam->memo().number_of_segments(); ++id)
+  {
+    const PS::internal::Segment_memo::Entry& entry = m_beam->memo()[id];
+    if (!entry.is_searched)
+      continue;
+    std::vector<PS::internal::Cut> cuts = entry.cuts;
+    for (PS::internal::Cut& cut : cuts)
+      PS::internal::value_by_clues(weights, cut);
+    PS::internal::sort_best_first(cuts);
+    beam->memo().set_cuts(beam->memo().find_or_add(entry.segment.nodes), std::move(cuts));
+  }
+  m_beam = std::move(beam);
+}
+
+// Pairs that one segmentation has together and the other one apart.
+double Candidate_pool::rand_index_error(const Cut_weights& weights)
+{
+  begin_again(weights);
   std::size_t k = m_number_of_segments;
-  while (!m_cuts.best(k))
+  while (!m_beam->best(k))
     --k;
   const std::size_t number_of_humans = m_faces_of_human.size();
   std::vector<double> apart(number_of_humans); // so far, of the pairs that the human has together
   for (std::size_t h = 0; h < number_of_humans; ++h)
     apart[h] = sum_of_pairs(m_faces_of_human[h]);
-  for (const Index segment : m_cuts.best(k)->segments)
+  for (const Index segment : m_beam->best(k)->segments)
   {
     std::vector<std::vector<double>> common; // faces of every human and label in the segment
     for (const std::vector<double>& labels : m_faces_of_human)
       common.emplace_back(labels.size(), 0.);
-    for (const Index i : m_cuts.pool()[segment].nodes)
+    for (const Index i : m_beam->memo()[segment].segment.nodes)
       for (const Share& share : m_shares[i])
         common[share.human][share.label] += share.faces;
     for (std::size_t h = 0; h < number_of_humans; ++h)
-      apart[h] += pairs(std::accumulate(common[h].begin(), common[h].end(), 0.)) - 2 * sum_of_pairs(common[h]);
+      apart[h] += pairs(std::accumulate(common[h].begin(), common[h].end(), 0.)) -
+                  2 * sum_of_pairs(common[h]);
   }
   double sum = 0;
   for (std::size_t h = 0; h < number_of_humans; ++h)
