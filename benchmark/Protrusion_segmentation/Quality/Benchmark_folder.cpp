@@ -78,8 +78,9 @@ Benchmark_folder::Benchmark_folder(const std::string& path, const Model_classes&
 {
   const fs::path folder(path);
   m_meshes = existing({folder / "off", folder / "data/off"});
-  m_segmentations = existing(
-    {folder / "seg/Benchmark", folder / "data/seg/Benchmark", folder / "seg", folder / "data/seg"});
+  m_segmentations = m_meshes.parent_path() / "seg";
+  if (fs::exists(m_segmentations / "Benchmark"))
+    m_segmentations /= "Benchmark";
   for (const fs::path& file : files_in(m_meshes, ".off"))
     if (is_number(file.stem().string()))
       m_models.push_back(std::stoi(file.stem().string()));
