@@ -56,9 +56,10 @@ std::size_t checked_count(const char* name, Integer value)
 {
   static_assert(std::is_integral<Integer>::value && !std::is_same<Integer, bool>::value,
                 "a number of segments, tips or iterations must be an integer");
-  if (std::is_signed<Integer>::value && value < Integer(0))
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
-                                ", but it must be at least 0");
+  if constexpr (std::is_signed<Integer>::value)
+    if (value < 0)
+      throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) +
+                                  ", but it must be at least 0");
   return static_cast<std::size_t>(value);
 }
 
