@@ -30,7 +30,8 @@ Values depend on the method, see `Protrusion::value`. For `Minimum_cut_method` t
 equal arms, the one that was cut off last has the least value. Probabilities are calibrated: on the meshes on which they were
 measured, people drew about 70 % of the borders that have a probability of .7.
 
-A class that derives from this one and defines one of its functions calls the function of this class first.
+It has all functions of `ProtrusionSegmentationVisitor`. A class that derives from it and defines one of them calls the
+function of this class first.
 
 \cgalModels{ProtrusionSegmentationVisitor}
 
@@ -87,20 +88,13 @@ public:
   }
   /// @}
 
-  /// \name Functions of a Visitor
-  /// @{
-
-  /// forgets the call before
+#ifndef DOXYGEN_RUNNING
+  // forgets the call before
   void on_reading_begin() { *this = Segmentation_record(); }
-  /// keeps the tip
   void on_tip(face_descriptor face) { m_tips.push_back(face); }
-  /// counts the face
   void on_eliminated_tip(face_descriptor /* face */) { ++m_number_of_eliminated_tips; }
-  /// keeps the number
   void on_specks(std::size_t number_of_specks) { m_number_of_specks = number_of_specks; }
-  /// adds the number
   void on_distances(std::size_t number_of_runs) { m_number_of_runs += number_of_runs; }
-  /// keeps the protrusion
   void on_protrusion(const Protrusion<face_descriptor>& protrusion)
   {
     m_protrusions.push_back(protrusion);
@@ -111,7 +105,7 @@ public:
     m_nodes[protrusion.segment].least.take_least(border);
     m_nodes[protrusion.parent].least.take_least(border);
   }
-  /// @}
+#endif
 
 private:
   struct Sureness
