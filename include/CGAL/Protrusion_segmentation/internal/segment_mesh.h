@@ -37,10 +37,12 @@ namespace internal {
 template <typename FaceGraph, typename SegmentMap, typename NamedParameters>
 constexpr bool writes_segments = std::conjunction_v<Check_mesh<FaceGraph>,
                                                     Check_segment_map<FaceGraph, SegmentMap>,
-                                                    Check_edge_map<FaceGraph, NamedParameters>>;
+                                                    Check_edge_map<FaceGraph, NamedParameters>,
+                                                    Check_visitor<FaceGraph, NamedParameters>>;
 template <typename FaceGraph, typename NamedParameters>
-constexpr bool writes_no_segments =
-  std::conjunction_v<Check_mesh<FaceGraph>, Check_no_edge_map<NamedParameters>>;
+constexpr bool writes_no_segments = std::conjunction_v<Check_mesh<FaceGraph>,
+                                                       Check_no_edge_map<NamedParameters>,
+                                                       Check_visitor<FaceGraph, NamedParameters>>;
 
 // The result of `run(surface, execution)` on the arrays of a mesh.
 template <typename ConcurrencyTag, typename FaceGraph, typename NamedParameters, typename Run>
@@ -50,7 +52,6 @@ auto run_on_mesh(const FaceGraph& mesh, const NamedParameters& np, Run run)
     parameters::get_parameter(np, internal_np::visitor), Segmentation_visitor<FaceGraph>());
   auto& visitor = unwrap(visitor_parameter);
   using Visitor = std::remove_reference_t<decltype(visitor)>;
-  static_assert(Check_visitor<FaceGraph, Visitor>::value);
   Mesh_observer<FaceGraph, Visitor> observer(mesh, visitor);
   Execution execution(observer, random_seed(np), is_parallel<ConcurrencyTag>());
   std::optional<Canonical_surface> surface;

@@ -94,13 +94,12 @@ using If_number = std::enable_if_t<std::is_integral<Number>::value, int>;
 template <typename Method>
 using If_method = std::enable_if_t<Is_method<Method>::value, int>;
 
+// Boost's `graph_traits` of what is no graph fail inside.
 template <typename FaceGraph, typename = void>
 struct Is_mesh : std::false_type
 {};
 template <typename FaceGraph>
-struct Is_mesh<FaceGraph,
-               std::void_t<typename boost::graph_traits<FaceGraph>::face_descriptor,
-                           typename boost::graph_traits<FaceGraph>::halfedge_descriptor>> : std::true_type
+struct Is_mesh<FaceGraph, std::void_t<decltype(faces(std::declval<const FaceGraph&>()))>> : std::true_type
 {};
 
 // Each of the checks fails with one sentence; the value is for `if constexpr`, so that no further errors bury it.
@@ -183,8 +182,21 @@ auto is_visitor(Visitor& v, Face f) -> decltype(v.on_reading_begin(),
                                                 std::true_type());
 std::false_type is_visitor(...);
 
-template <typename FaceGraph, typename Visitor>
-struct Check_visitor : decltype(is_visitor(std::declval<Visitor&>(), std::declval<Face_of<FaceGraph>>()))
+template <typename T>
+T& unwrapped(const std::reference_wrapper<T>&);
+template <typename T>
+T& unwrapped(const T&);
+
+// The type of the visitor among the named parameters.
+template <typename FaceGraph, typename NamedParameters>
+using Visitor_type = decltype(unwrapped(
+  std::declval<typename internal_np::Lookup_named_param_def<internal_np::visitor_t,
+                                                            NamedParameters,
+                                                            Segmentation_visitor<FaceGraph>>::type>()));
+
+template <typename FaceGraph, typename NamedParameters>
+struct Check_visitor : decltype(is_visitor(std::declval<Visitor_type<FaceGraph, NamedParameters>>(),
+                                           std::declval<Face_of<FaceGraph>>()))
 {
   static_assert(Check_visitor::value,
                 "the visitor is no model of ProtrusionSegmentationVisitor: derive it from "
