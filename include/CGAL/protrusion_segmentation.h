@@ -179,7 +179,8 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& pmesh,
                                              const Method& method,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(pmesh, segment_ids, std::nullopt, method, np);
+  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(pmesh, segment_ids, std::nullopt,
+                                                                         method, np);
 }
 
 /*!
@@ -217,18 +218,23 @@ std::size_t segmentation_via_protrusion_tips(const FaceGraph& pmesh,
                                              const Method& method,
                                              const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(pmesh, segment_ids, number_of_segments, method,
-                                                                         np);
+  return Protrusion_segmentation::internal::segment_mesh<ConcurrencyTag>(pmesh, segment_ids,
+                                                                         number_of_segments, method, np);
 }
 
 #ifndef DOXYGEN_RUNNING
 // What no function above accepts, with the reason in one line.
-template <typename ConcurrencyTag = Sequential_tag, typename FaceGraph, typename SegmentMap, typename... Others>
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename SegmentMap,
+          typename... Others>
 std::size_t segmentation_via_protrusion_tips(const FaceGraph&, SegmentMap, const Others&...)
 {
-  static_assert(sizeof...(Others) > 100,
-                "what follows segment_ids must be a number of segments, a method, or both, and then named parameters; "
-                "a distance belongs to a method, as in Histogram_method(Landmark_geodesic_distance(0.1))");
+  static_assert(
+    sizeof...(Others) > 100,
+    "what follows segment_ids must be a number of segments, a method, or both, and then named "
+    "parameters; "
+    "a distance belongs to a method, as in Histogram_method(Landmark_geodesic_distance(0.1))");
   return 0;
 }
 #endif
@@ -314,7 +320,8 @@ OutputIterator protrusion_tips(const FaceGraph& pmesh,
                                const Distance& distance,
                                const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::select_mesh_tips<ConcurrencyTag>(pmesh, number_of_tips, tips, distance, np);
+  return Protrusion_segmentation::internal::select_mesh_tips<ConcurrencyTag>(pmesh, number_of_tips, tips,
+                                                                             distance, np);
 }
 
 #ifndef DOXYGEN_RUNNING
@@ -325,8 +332,9 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename... Others>
 OutputIterator protrusion_tips(const FaceGraph&, Number, OutputIterator tips, const Others&...)
 {
-  static_assert(sizeof...(Others) > 100,
-                "what follows tips must be a distance, such as Geodesic_distance(), and then named parameters");
+  static_assert(
+    sizeof...(Others) > 100,
+    "what follows tips must be a distance, such as Geodesic_distance(), and then named parameters");
   return tips;
 }
 #endif
@@ -401,8 +409,8 @@ std::size_t segmentation_from_protrusion_tips(const FaceGraph& pmesh,
                                               const Method& method,
                                               const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::segment_mesh_from_tips<ConcurrencyTag>(pmesh, tips, segment_ids, method,
-                                                                                   np);
+  return Protrusion_segmentation::internal::segment_mesh_from_tips<ConcurrencyTag>(
+    pmesh, tips, segment_ids, method, np);
 }
 
 #ifndef DOXYGEN_RUNNING
@@ -411,11 +419,14 @@ template <typename ConcurrencyTag = Sequential_tag,
           typename FaceRange,
           typename SegmentMap,
           typename... Others>
-std::size_t segmentation_from_protrusion_tips(const FaceGraph&, const FaceRange&, SegmentMap, const Others&...)
+std::size_t segmentation_from_protrusion_tips(const FaceGraph&,
+                                              const FaceRange&,
+                                              SegmentMap,
+                                              const Others&...)
 {
-  static_assert(sizeof...(Others) > 100,
-                "what follows segment_ids must be a method and then named parameters; a distance belongs to a method, as "
-                "in Histogram_method(Landmark_geodesic_distance(0.1))");
+  static_assert(sizeof...(Others) > 100, "what follows segment_ids must be a method and then named "
+                                         "parameters; a distance belongs to a method, as "
+                                         "in Histogram_method(Landmark_geodesic_distance(0.1))");
   return 0;
 }
 #endif
@@ -491,15 +502,22 @@ Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(
   const Method& method,
   const CGAL_NP_CLASS& np = parameters::default_values())
 {
-  return Protrusion_segmentation::internal::mesh_hierarchy<ConcurrencyTag>(pmesh, maximum_number_of_segments, method, np);
+  return Protrusion_segmentation::internal::mesh_hierarchy<ConcurrencyTag>(
+    pmesh, maximum_number_of_segments, method, np);
 }
 
 #ifndef DOXYGEN_RUNNING
-template <typename ConcurrencyTag = Sequential_tag, typename FaceGraph, typename Number, typename... Others>
-Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(const FaceGraph&, Number, const Others&...)
+template <typename ConcurrencyTag = Sequential_tag,
+          typename FaceGraph,
+          typename Number,
+          typename... Others>
+Protrusion_segmentation::Segment_hierarchy protrusion_hierarchy(const FaceGraph&,
+                                                                Number,
+                                                                const Others&...)
 {
   static_assert(sizeof...(Others) > 100,
-                "what follows maximum_number_of_segments must be a method and then named parameters; a distance belongs to "
+                "what follows maximum_number_of_segments must be a method and then named parameters; a "
+                "distance belongs to "
                 "a method, as in Histogram_method(Landmark_geodesic_distance(0.1))");
   return {};
 }

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// expected: a number of segments or tips must be an integer
+// expected: a number of segments, tips or iterations must be an integer
 
 #include "mesh.h"
 

@@ -251,6 +251,10 @@ private:
     {
       work(*m_item->face_graph());
     }
+    catch (const Protrusions::Segmentation_stopped&)
+    {
+      // the user did that
+    }
     catch (const std::exception& error)
     {
       Three::error(error.what());

@@ -64,7 +64,7 @@ std::vector<tool::Polygon> read_polygons(const Arrays& arrays, std::size_t numbe
   return polygons;
 }
 
-bool is_finite(const tool::Point& p)
+bool has_finite_coordinates(const tool::Point& p)
 {
   return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
 }
@@ -74,10 +74,10 @@ void check_points(tool::Polygon_soup& soup)
 {
   for (const tool::Polygon& polygon : soup.polygons)
     for (const std::size_t i : polygon)
-      if (!is_finite(soup.points[i]))
+      if (!has_finite_coordinates(soup.points[i]))
         throw std::invalid_argument("vertices: vertex " + std::to_string(i) + " has a coordinate that is not finite");
   for (tool::Point& p : soup.points)
-    if (!is_finite(p))
+    if (!has_finite_coordinates(p))
       p = CGAL::ORIGIN;
 }
 

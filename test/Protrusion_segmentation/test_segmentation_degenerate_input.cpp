@@ -86,7 +86,7 @@ void a_mesh_without_faces_has_no_segments()
   check_valid(vertices);
   Segment_ids<Mesh> ids(vertices);
   CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(vertices, ids.map(), 1), std::invalid_argument,
-                    "only 0 faces");
+                    "number_of_segments is 1, but it must be from 1 to 0, the number of faces of pmesh");
 }
 
 void isolated_vertices_and_removed_faces()

@@ -131,7 +131,8 @@ void impossible_numbers_of_segments_are_refused()
   const auto segment = [&](std::size_t k)
   { return CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Histogram_method()); };
   CHECK_THROWS_WITH(segment(0), std::invalid_argument, "number_of_segments is 0");
-  CHECK_THROWS_WITH(segment(81), std::invalid_argument, "only 80 faces");
+  CHECK_THROWS_WITH(segment(81), std::invalid_argument,
+                    "number_of_segments is 81, but it must be from 1 to 80, the number of faces of pmesh");
   CHECK(is_untouched({0, ids.labels()}));
   CHECK_EQUAL(segment(1), 1);
   const std::size_t most = segment(80); // all that can be found

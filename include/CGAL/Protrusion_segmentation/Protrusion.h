@@ -28,7 +28,7 @@ struct Protrusion
   FaceDescriptor tip = {};    ///< the face at its tip
   double border_distance = 0; ///< the distance of the border from the tip
   double border_length = 0;   ///< the length of the border between the protrusion and the rest
-  double area = 0;            ///< the area beyond the border: of the segment and of all that sticks out of it
+  double area = 0; ///< the area beyond the border: of the segment and of all that sticks out of it
 
   /// how good the border is. For `Minimum_cut_method`, a number from -1/2 to 1/2 without a unit:
   /// \f$(2q-1)\sqrt{AB}\f$ with the evidence for the cut \f$q\f$ from 0 to 1 and the areas \f$A\f$ and \f$B\f$

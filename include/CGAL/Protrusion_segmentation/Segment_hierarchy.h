@@ -68,10 +68,12 @@ public:
                                      internal::Check_segment_map<FaceGraph, SegmentMap>>)
     {
       const std::vector<Index> ancestors = ancestors_below(number_of_segments);
-      const auto number_of_faces = static_cast<std::size_t>(std::distance(faces(pmesh).begin(), faces(pmesh).end()));
+      const auto number_of_faces = static_cast<std::size_t>(
+        std::distance(faces(pmesh).begin(), faces(pmesh).end()));
       if (number_of_faces != m_labels.size())
         throw std::invalid_argument("pmesh has " + std::to_string(number_of_faces) +
-                                    " faces, but the mesh of the hierarchy has " + std::to_string(m_labels.size()));
+                                    " faces, but the mesh of the hierarchy has " +
+                                    std::to_string(m_labels.size()));
       std::vector<Index> labels;
       labels.reserve(m_labels.size());
       for (Index label : m_labels)
@@ -84,7 +86,8 @@ public:
   Segment_hierarchy() = default;
   // `labels` are in the order of the mesh
   Segment_hierarchy(const internal::Nested_segments& segments, std::vector<Indexed_surface::Index> labels)
-    : m_labels(std::move(labels)), m_number_of_components(segments.number_of_components())
+    : m_labels(std::move(labels)),
+      m_number_of_components(segments.number_of_components())
   {
     for (std::size_t s = 0; s < segments.number_of_segments(); ++s)
       m_parents.push_back(segments.parent(s));

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -30,7 +30,8 @@ Values depend on the method, see `Protrusion::value`. For `Minimum_cut_method` t
 equal arms, the one that was cut off last has the least value. Probabilities are calibrated: on the meshes on which they were
 measured, people drew about 70 % of the borders that have a probability of .7.
 
-A class that derives from this one and defines one of its functions calls the function of this class first.
+It has all functions of `ProtrusionSegmentationVisitor`. A class that derives from it and defines one of them calls the
+function of this class first.
 
 \cgalModels{ProtrusionSegmentationVisitor}
 
@@ -70,7 +71,10 @@ public:
   ///         different components, or if the method does not estimate it
   /// \param s a segment id
   /// \param t a segment id
-  std::optional<double> probability(std::size_t s, std::size_t t) const { return between(s, t).probability; }
+  std::optional<double> probability(std::size_t s, std::size_t t) const
+  {
+    return between(s, t).probability;
+  }
 
   /// \return the least value of a border of a segment; none if it has no border
   /// \param segment a segment id
@@ -78,17 +82,19 @@ public:
   /// \return the least probability of a border of a segment, from 0 to 1; none if it has no border or if the method
   ///         does not estimate it
   /// \param segment a segment id
-  std::optional<double> least_probability(std::size_t segment) const { return node(segment).least.probability; }
+  std::optional<double> least_probability(std::size_t segment) const
+  {
+    return node(segment).least.probability;
+  }
   /// @}
 
-  /// \name Functions of a Visitor
-  /// @{
-  void on_reading_begin() { *this = Segmentation_record(); } ///< forgets the call before
-  void on_tip(face_descriptor face) { m_tips.push_back(face); }  ///< keeps the tip
-  void on_eliminated_tip(face_descriptor) { ++m_number_of_eliminated_tips; } ///< counts the face
-  void on_specks(std::size_t number_of_specks) { m_number_of_specks = number_of_specks; } ///< keeps the number
-  void on_distances(std::size_t number_of_runs) { m_number_of_runs += number_of_runs; } ///< adds the number
-  /// keeps the protrusion
+#ifndef DOXYGEN_RUNNING
+  // forgets the call before
+  void on_reading_begin() { *this = Segmentation_record(); }
+  void on_tip(face_descriptor face) { m_tips.push_back(face); }
+  void on_eliminated_tip(face_descriptor /* face */) { ++m_number_of_eliminated_tips; }
+  void on_specks(std::size_t number_of_specks) { m_number_of_specks = number_of_specks; }
+  void on_distances(std::size_t number_of_runs) { m_number_of_runs += number_of_runs; }
   void on_protrusion(const Protrusion<face_descriptor>& protrusion)
   {
     m_protrusions.push_back(protrusion);
@@ -99,7 +105,7 @@ public:
     m_nodes[protrusion.segment].least.take_least(border);
     m_nodes[protrusion.parent].least.take_least(border);
   }
-  /// @}
+#endif
 
 private:
   struct Sureness

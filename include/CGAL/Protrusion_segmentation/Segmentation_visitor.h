@@ -49,16 +49,16 @@ public:
 
   /// \name Progress
   /// @{
-  void on_progress(double /* share */) {}              ///< does nothing
-  bool go_further() { return true; }                   ///< \return `true`
+  void on_progress(double /* share */) {}                ///< does nothing
+  bool go_further() { return true; }                     ///< \return `true`
   void on_distances(std::size_t /* number_of_runs */) {} ///< does nothing
   /// @}
 
   /// \name Findings
   /// @{
-  void on_specks(std::size_t /* number_of_specks */) {}           ///< does nothing
-  void on_tip(face_descriptor /* face */) {}                      ///< does nothing
-  void on_eliminated_tip(face_descriptor /* face */) {}           ///< does nothing
+  void on_specks(std::size_t /* number_of_specks */) {}                      ///< does nothing
+  void on_tip(face_descriptor /* face */) {}                                 ///< does nothing
+  void on_eliminated_tip(face_descriptor /* face */) {}                      ///< does nothing
   void on_protrusion(const Protrusion<face_descriptor>& /* protrusion */) {} ///< does nothing
   /// @}
 };

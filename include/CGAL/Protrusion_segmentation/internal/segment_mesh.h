@@ -37,19 +37,21 @@ namespace internal {
 template <typename FaceGraph, typename SegmentMap, typename NamedParameters>
 constexpr bool writes_segments = std::conjunction_v<Check_mesh<FaceGraph>,
                                                     Check_segment_map<FaceGraph, SegmentMap>,
-                                                    Check_edge_map<FaceGraph, NamedParameters>>;
+                                                    Check_edge_map<FaceGraph, NamedParameters>,
+                                                    Check_visitor<FaceGraph, NamedParameters>>;
 template <typename FaceGraph, typename NamedParameters>
-constexpr bool writes_no_segments = std::conjunction_v<Check_mesh<FaceGraph>, Check_no_edge_map<NamedParameters>>;
+constexpr bool writes_no_segments = std::conjunction_v<Check_mesh<FaceGraph>,
+                                                       Check_no_edge_map<NamedParameters>,
+                                                       Check_visitor<FaceGraph, NamedParameters>>;
 
 // The result of `run(surface, execution)` on the arrays of a mesh.
 template <typename ConcurrencyTag, typename FaceGraph, typename NamedParameters, typename Run>
 auto run_on_mesh(const FaceGraph& mesh, const NamedParameters& np, Run run)
 {
-  auto visitor_parameter = parameters::choose_parameter(parameters::get_parameter(np, internal_np::visitor),
-                                                        Segmentation_visitor<FaceGraph>());
+  auto visitor_parameter = parameters::choose_parameter(
+    parameters::get_parameter(np, internal_np::visitor), Segmentation_visitor<FaceGraph>());
   auto& visitor = unwrap(visitor_parameter);
   using Visitor = std::remove_reference_t<decltype(visitor)>;
-  static_assert(Check_visitor<FaceGraph, Visitor>::value);
   Mesh_observer<FaceGraph, Visitor> observer(mesh, visitor);
   Execution execution(observer, random_seed(np), is_parallel<ConcurrencyTag>());
   std::optional<Canonical_surface> surface;
@@ -79,16 +81,15 @@ struct Mesh_segments
 template <typename ConcurrencyTag, typename FaceGraph, typename NamedParameters, typename Segment>
 Mesh_segments segments_of_mesh(const FaceGraph& mesh, const NamedParameters& np, Segment segment)
 {
-  return run_on_mesh<ConcurrencyTag>(
-    mesh, np,
-    [&](const Canonical_surface& surface, Execution& execution)
-    {
-      Mesh_segments result;
-      if (surface.surface().number_of_faces() > 0)
-        result.segments = segment(surface, execution);
-      result.labels = surface.in_order_of_mesh(result.segments.labels());
-      return result;
-    });
+  return run_on_mesh<ConcurrencyTag>(mesh, np,
+                                     [&](const Canonical_surface& surface, Execution& execution)
+                                     {
+                                       Mesh_segments result;
+                                       if (surface.surface().number_of_faces() > 0)
+                                         result.segments = segment(surface, execution);
+                                       result.labels = surface.in_order_of_mesh(result.segments.labels());
+                                       return result;
+                                     });
 }
 
 template <typename ConcurrencyTag, typename FaceGraph, typename Method, typename NamedParameters>
@@ -98,7 +99,8 @@ Mesh_segments segment_by_number(const FaceGraph& mesh,
                                 const NamedParameters& np)
 {
   return segments_of_mesh<ConcurrencyTag>(
-    mesh, np, [&](const Canonical_surface& surface, Execution& execution)
+    mesh, np,
+    [&](const Canonical_surface& surface, Execution& execution)
     { return method.segment(surface.surface(), number_of_segments, execution); });
 }
 
@@ -132,7 +134,8 @@ std::size_t segment_mesh(const FaceGraph& mesh,
     std::optional<std::size_t> number;
     if constexpr (!std::is_same_v<Number, std::nullopt_t>)
       number = checked_count("number_of_segments", number_of_segments, Number(1), mesh);
-    return write_results(mesh, segment_by_number<ConcurrencyTag>(mesh, number, method, np), segment_ids, np);
+    return write_results(mesh, segment_by_number<ConcurrencyTag>(mesh, number, method, np), segment_ids,
+                         np);
   }
   else
     return 0;
@@ -155,14 +158,19 @@ std::size_t segment_mesh_from_tips(const FaceGraph& mesh,
     {
       const std::vector<Indexed_surface::Index> numbers = face_numbers(mesh, tips);
       const Mesh_segments result = segments_of_mesh<ConcurrencyTag>(
-        mesh, np, [&](const Canonical_surface& surface, Execution& execution)
+        mesh, np,
+        [&](const Canonical_surface& surface, Execution& execution)
         { return method.segment_from_tips(surface.surface(), surface.faces_at(numbers), execution); });
       return write_results(mesh, result, segment_ids, np);
     }
   return 0;
 }
 
-template <typename ConcurrencyTag, typename FaceGraph, typename Number, typename Method, typename NamedParameters>
+template <typename ConcurrencyTag,
+          typename FaceGraph,
+          typename Number,
+          typename Method,
+          typename NamedParameters>
 Segment_hierarchy mesh_hierarchy(const FaceGraph& mesh,
                                  Number maximum_number_of_segments,
                                  const Method& method,
@@ -170,8 +178,8 @@ Segment_hierarchy mesh_hierarchy(const FaceGraph& mesh,
 {
   if constexpr (writes_no_segments<FaceGraph, NamedParameters>)
   {
-    const std::size_t number =
-      checked_count("maximum_number_of_segments", maximum_number_of_segments, Number(1), mesh);
+    const std::size_t number = checked_count("maximum_number_of_segments", maximum_number_of_segments,
+                                             Number(1), mesh);
     Mesh_segments result = segment_by_number<ConcurrencyTag>(mesh, number, method, np);
     return Segment_hierarchy(result.segments, std::move(result.labels));
   }
@@ -200,8 +208,8 @@ OutputIterator select_mesh_tips(const FaceGraph& mesh,
       mesh, np,
       [&](const Canonical_surface& surface, Execution& execution)
       {
-        std::vector<Indexed_surface::Index> result =
-          select_tips_of_components(surface.surface(), any_distance, number, execution);
+        std::vector<Indexed_surface::Index> result = select_tips_of_components(
+          surface.surface(), any_distance, number, execution);
         for (Indexed_surface::Index& tip : result)
           tip = surface.positions()[tip];
         return result;

@@ -25,15 +25,16 @@ namespace internal {
 // Whether a visitor has functions of its own for tips or protrusions. A function that it inherits from
 // `Segmentation_visitor` has the type of a member of that.
 template <typename Visitor, typename FaceGraph, typename = void>
-struct Looks_at_protrusions : std::true_type {};
+struct Looks_at_protrusions : std::true_type
+{};
 template <typename Visitor, typename FaceGraph>
 struct Looks_at_protrusions<Visitor,
                             FaceGraph,
                             std::void_t<decltype(&Visitor::on_tip), decltype(&Visitor::on_protrusion)>>
-  : std::bool_constant<!std::is_same_v<decltype(&Visitor::on_tip),
-                                       decltype(&Segmentation_visitor<FaceGraph>::on_tip)> ||
-                       !std::is_same_v<decltype(&Visitor::on_protrusion),
-                                       decltype(&Segmentation_visitor<FaceGraph>::on_protrusion)>>
+  : std::bool_constant<
+      !std::is_same_v<decltype(&Visitor::on_tip), decltype(&Segmentation_visitor<FaceGraph>::on_tip)> ||
+      !std::is_same_v<decltype(&Visitor::on_protrusion),
+                      decltype(&Segmentation_visitor<FaceGraph>::on_protrusion)>>
 {};
 
 // Tells a visitor, in faces and units of the mesh, what an observer is told.
@@ -60,22 +61,32 @@ public:
   {
     switch (stage)
     {
-    case Stage::READING: return m_visitor.on_reading_begin();
-    case Stage::PREPARATION: return m_visitor.on_preparation_begin();
-    case Stage::TIPS: return m_visitor.on_tips_begin();
-    case Stage::BORDERS: return m_visitor.on_borders_begin();
-    case Stage::LABELS: return m_visitor.on_labels_begin();
+    case Stage::READING:
+      return m_visitor.on_reading_begin();
+    case Stage::PREPARATION:
+      return m_visitor.on_preparation_begin();
+    case Stage::TIPS:
+      return m_visitor.on_tips_begin();
+    case Stage::BORDERS:
+      return m_visitor.on_borders_begin();
+    case Stage::LABELS:
+      return m_visitor.on_labels_begin();
     }
   }
   void stage_ends(Stage stage) override
   {
     switch (stage)
     {
-    case Stage::READING: return m_visitor.on_reading_end();
-    case Stage::PREPARATION: return m_visitor.on_preparation_end();
-    case Stage::TIPS: return m_visitor.on_tips_end();
-    case Stage::BORDERS: return m_visitor.on_borders_end();
-    case Stage::LABELS: return m_visitor.on_labels_end();
+    case Stage::READING:
+      return m_visitor.on_reading_end();
+    case Stage::PREPARATION:
+      return m_visitor.on_preparation_end();
+    case Stage::TIPS:
+      return m_visitor.on_tips_end();
+    case Stage::BORDERS:
+      return m_visitor.on_borders_end();
+    case Stage::LABELS:
+      return m_visitor.on_labels_end();
     }
   }
 

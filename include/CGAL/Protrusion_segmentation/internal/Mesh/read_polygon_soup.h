@@ -92,7 +92,8 @@ inline void check_points(Polygon_soup& soup)
     if (std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()))
       continue;
     if (is_corner[i])
-      throw std::invalid_argument("points: point " + std::to_string(i) + " has a coordinate that is not finite");
+      throw std::invalid_argument("points: point " + std::to_string(i) +
+                                  " has a coordinate that is not finite");
     p = ORIGIN;
   }
 }

@@ -36,8 +36,9 @@ void check_type_of_ids(const std::vector<Indexed_surface::Index>& labels)
   {
     const auto largest = std::max_element(labels.begin(), labels.end());
     if (largest != labels.end() && *largest > static_cast<Index>((Limits::max)()))
-      throw std::invalid_argument("segment_ids: its value type holds numbers up to " + std::to_string((Limits::max)()) +
-                                  ", but there is a segment " + std::to_string(*largest));
+      throw std::invalid_argument("segment_ids: its value type holds numbers up to " +
+                                  std::to_string((Limits::max)()) + ", but there is a segment " +
+                                  std::to_string(*largest));
   }
 }
 

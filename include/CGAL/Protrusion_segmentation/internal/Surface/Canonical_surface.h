@@ -8,13 +8,9 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Rest_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/canonical_frame.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/canonical_order.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
+#include <CGAL/Protrusion_segmentation/internal/inline.h>
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -29,29 +25,10 @@ public:
   using Index = Indexed_surface::Index;
 
   // Of a connected surface.
-  explicit Canonical_surface(Surface_arrays arrays, bool is_parallel = false)
-    : m_unit(move_to_canonical_frame(arrays, is_parallel)), m_position(canonical_order(arrays, is_parallel))
-  {
-    take_in_order(arrays, is_parallel);
-  }
-
+  explicit Canonical_surface(Surface_arrays arrays, bool is_parallel = false);
   // Of a whole mesh; of several components in its coordinates, since they have no frame in common. A face on a speck is, for
   // tips and values, the face that stands for it.
-  explicit Canonical_surface(Rest_of_surface rest, bool is_parallel = false)
-    : m_unit(rest.is_connected ? move_to_canonical_frame(rest.arrays, is_parallel) : normalize(rest.arrays.points)),
-      m_position(canonical_order(rest.arrays, is_parallel))
-  {
-    take_in_order(rest.arrays, is_parallel);
-    if (rest.stand_ins.empty())
-      return;
-    std::vector<Index> face(m_position.size()); // of the rest
-    for (Index f = 0; f < m_position.size(); ++f)
-      face[m_position[f]] = f;
-    for (Index& position : m_position)
-      position = rest.faces[position];
-    for (Index stand_in : rest.stand_ins)
-      m_face_at.push_back(face[stand_in]);
-  }
+  explicit Canonical_surface(Rest_of_surface rest, bool is_parallel = false);
 
   const Indexed_surface& surface() const { return m_surface; }
   // what turns lengths of the surface into those of what it was made of
@@ -89,12 +66,7 @@ public:
   }
 
 private:
-  void take_in_order(Surface_arrays& arrays, bool is_parallel)
-  {
-    Surface_arrays ordered = Face_selector<Surface_arrays>(arrays, is_parallel)(m_position);
-    arrays = {}; // before memory is needed for more
-    m_surface = std::move(ordered).to_surface(is_parallel);
-  }
+  void take_in_order(Surface_arrays& arrays, bool is_parallel);
 
   double m_unit;
   std::vector<Index> m_position;
@@ -105,5 +77,9 @@ private:
 } // namespace internal
 } // namespace Protrusion_segmentation
 } // namespace CGAL
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_COMPILED
+#include <CGAL/Protrusion_segmentation/internal/Surface/make_canonical_surface.h>
+#endif
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CANONICAL_SURFACE_H
