@@ -76,8 +76,8 @@ void check_segments(const Weighted_dual_graph& graph,
       neighbors[i].push_back(graph.target[arc]);
   const std::vector<std::size_t> ids(labels.begin(), labels.end());
   CHECK_EQUAL(validation::problem_with_segment_ids(ids, number).value_or("no problem"), "no problem");
-  const std::vector<bool> is_on_speck(ids.size(), false);
-  CHECK_EQUAL(internal::problem_with_connectedness(neighbors, is_on_speck, ids, number).value_or("no problem"),
+  const std::vector<bool> is_on_small_component(ids.size(), false);
+  CHECK_EQUAL(internal::problem_with_connectedness(neighbors, is_on_small_component, ids, number).value_or("no problem"),
               "no problem");
 }
 

@@ -11,7 +11,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Borders/Edge_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Borders/Face_cutter.h>
 #include <CGAL/Protrusion_segmentation/internal/Borders/Fan_shares.h>
-#include <CGAL/Protrusion_segmentation/internal/Borders/Kept_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 
 #include <algorithm>

@@ -65,7 +65,6 @@ public:
     const double width = (std::max)(arcs.mean(), arcs.longest / most_buckets);
     make_buckets(width > 0 ? width : 1, arcs);
   }
-  static Bucket_ring for_all(const Arc_lengths& arcs) { return Bucket_ring(arcs); }
 
   // A vertex whose distance is 0, before all others.
   void push_source(const Vertex& vertex)

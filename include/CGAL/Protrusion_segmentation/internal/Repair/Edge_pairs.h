@@ -5,9 +5,9 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_EDGE_PAIRS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_EDGE_PAIRS_H
 
-#include <CGAL/Protrusion_segmentation/internal/Repair/Face_choice.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Parity_sets.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/choose_faces.h>
 
 #include <algorithm>
 #include <array>

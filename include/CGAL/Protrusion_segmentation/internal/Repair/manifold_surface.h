@@ -6,9 +6,8 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_MANIFOLD_SURFACE_H
 
 #include <CGAL/Protrusion_segmentation/Polygon_soup_repairs.h>
-#include <CGAL/Protrusion_segmentation/internal/Repair/Joined_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
-#include <CGAL/Protrusion_segmentation/internal/Repair/Specks.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/leave_out_components.h>
 
 #include <algorithm>
 #include <array>
@@ -80,8 +79,8 @@ inline Manifold_surface manifold_surface(Polygon_soup soup)
   repairs.degenerate_polygons = joined->choice.degenerate_polygons;
   repairs.duplicate_polygons = joined->choice.duplicate_polygons;
   repairs.non_manifold_edges = joined->pairs.number_of_non_manifold_edges();
-  repairs.specks = Specks(soup, place_of, *joined).leave_out(is_left_out);
-  if (repairs.specks > 0) // then the rest goes together anew
+  repairs.specks = Left_out_components(soup, place_of, *joined).leave_out(is_left_out);
+  if (repairs.specks > 0) // then the rest is joined anew
     joined = std::make_unique<Joined_faces>(soup, place_of, is_left_out);
   repairs.unorientable_edges = joined->pairs.number_of_unorientable_edges();
   repairs.reversed_polygons =

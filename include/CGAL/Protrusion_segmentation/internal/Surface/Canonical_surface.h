@@ -6,7 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CANONICAL_SURFACE_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Rest_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Surface_without_small_components.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/canonical_frame.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/canonical_order.h>
@@ -35,22 +35,22 @@ public:
     take_in_order(arrays, is_parallel);
   }
 
-  // Of a whole mesh; of several components in its coordinates, since they have no frame in common. A face on a speck is, for
-  // tips and values, the face that stands for it.
-  explicit Canonical_surface(Rest_of_surface rest, bool is_parallel = false)
+  // Of a whole mesh; of several components in its coordinates, since they have no frame in common. For tips
+  // and values, a face of a small component is the nearest face of the others.
+  explicit Canonical_surface(Surface_without_small_components rest, bool is_parallel = false)
     : m_unit(rest.is_connected ? move_to_canonical_frame(rest.arrays, is_parallel) : normalize(rest.arrays.points)),
       m_position(canonical_order(rest.arrays, is_parallel))
   {
     take_in_order(rest.arrays, is_parallel);
-    if (rest.stand_ins.empty())
+    if (rest.nearest_faces.empty())
       return;
     std::vector<Index> face(m_position.size()); // of the rest
     for (Index f = 0; f < m_position.size(); ++f)
       face[m_position[f]] = f;
     for (Index& position : m_position)
       position = rest.faces[position];
-    for (Index stand_in : rest.stand_ins)
-      m_face_at.push_back(face[stand_in]);
+    for (Index nearest_face : rest.nearest_faces)
+      m_face_at.push_back(face[nearest_face]);
   }
 
   const Indexed_surface& surface() const { return m_surface; }
@@ -98,7 +98,7 @@ private:
 
   double m_unit;
   std::vector<Index> m_position;
-  std::vector<Index> m_face_at; // of every face of the mesh, if there are specks
+  std::vector<Index> m_face_at; // of every face of the mesh, if there are small components
   Indexed_surface m_surface;
 };
 

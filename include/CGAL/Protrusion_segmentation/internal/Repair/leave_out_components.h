@@ -2,48 +2,67 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_SPECKS_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_SPECKS_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_LEAVE_OUT_COMPONENTS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_LEAVE_OUT_COMPONENTS_H
 
-#include <CGAL/Protrusion_segmentation/internal/Repair/Joined_faces.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/Edge_pairs.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Parity_sets.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/Vertex_fans.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/choose_faces.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/small_components.h>
 
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// Looks for the components that are better labelled by their neighbours than segmented: tiny ones, and walls
-// between two solids, which hang on crowded edges all around. They must touch what remains.
-class Specks
+// The chosen faces and how they are joined.
+struct Joined_faces
+{
+  Joined_faces(const Polygon_soup& soup,
+               const std::vector<std::size_t>& places,
+               const std::vector<bool>& is_left_out)
+    : choice(choose_faces(soup.polygons, places, is_left_out)),
+      pairs(soup.points, choice, places),
+      is_turned(pairs.turned_faces()),
+      fans(pairs, is_turned)
+  {}
+  Joined_faces(const Joined_faces&) = delete; // its members refer to each other
+  Joined_faces& operator=(const Joined_faces&) = delete;
+
+  Face_choice choice;
+  Edge_pairs pairs;
+  std::vector<bool> is_turned;
+  Vertex_fans fans;
+};
+
+// Finds the components that get the labels of their neighbours and no segments of their own: small ones, and walls
+// between two solids, all edges of which are shared with two or more other faces. They must touch a component that remains.
+class Left_out_components
 {
 public:
-  // A component with less of the whole area is tiny.
-  static constexpr double share_of_area = .001;
-
-  Specks(const Polygon_soup& soup, const std::vector<std::size_t>& places, const Joined_faces& joined)
+  Left_out_components(const Polygon_soup& soup, const std::vector<std::size_t>& places, const Joined_faces& joined)
     : m_soup(soup),
       m_places(places),
       m_joined(joined),
       m_component(joined.pairs.components()),
-      m_is_speck(m_component.size(), false)
+      m_is_left_out(m_component.size(), false)
   {
-    find_tiny_ones();
+    find_small_ones();
     find_walls();
-    keep_lonely_ones();
+    keep_isolated_ones();
   }
 
-  // Sets the faces of specks, by their numbers in the soup; returns the number of specks.
+  // Sets their faces, by their numbers in the soup; returns the number of components.
   std::size_t leave_out(std::vector<bool>& is_left_out) const
   {
     std::size_t count = 0;
     for (std::size_t face = 0; face < m_component.size(); ++face)
-      if (m_is_speck[m_component[face]])
+      if (m_is_left_out[m_component[face]])
       {
         is_left_out[m_joined.choice.kept[face]] = true;
         count += m_component[face] == face ? 1u : 0u; // a component is named after one of its faces
@@ -52,15 +71,17 @@ public:
   }
 
 private:
-  void find_tiny_ones()
+  void find_small_ones()
   {
     std::vector<double> area(m_component.size(), 0);
+    std::vector<std::size_t> count(m_component.size(), 0);
     for (std::size_t face = 0; face < area.size(); ++face)
+    {
       area[m_component[face]] += std::sqrt(
         area_vector(m_soup.points, m_joined.choice.polygons[face]).squared_length());
-    const double whole_area = std::accumulate(area.begin(), area.end(), 0.);
-    for (std::size_t face = 0; face < area.size(); ++face)
-      m_is_speck[face] = area[face] < share_of_area * whole_area;
+      ++count[m_component[face]];
+    }
+    m_is_left_out = small_components(area, count);
   }
 
   void find_walls()
@@ -79,11 +100,11 @@ private:
       if (pairs.partner(side) == Edge_pairs::none())
         has_border[m_component[pairs.face(side)]] = true;
     for (std::size_t face = 0; face < m_component.size(); ++face)
-      m_is_speck[face] = m_is_speck[face] || (is_wall[face] && has_border[face]);
+      m_is_left_out[face] = m_is_left_out[face] || (is_wall[face] && has_border[face]);
   }
 
-  // Those that touch nothing but other specks, or nothing at all.
-  void keep_lonely_ones()
+  // Those that touch nothing but others that are left out, or nothing at all.
+  void keep_isolated_ones()
   {
     Parity_sets clusters(m_places.size());
     for (std::size_t face = 0; face < m_component.size(); ++face)
@@ -93,22 +114,22 @@ private:
     { return clusters.find(m_places[m_joined.choice.polygons[face].front()]).first; };
     std::vector<bool> has_more(m_places.size(), false);
     for (std::size_t face = 0; face < m_component.size(); ++face)
-      if (!m_is_speck[m_component[face]])
+      if (!m_is_left_out[m_component[face]])
         has_more[cluster_of(face)] = true;
     for (std::size_t face = 0; face < m_component.size(); ++face)
       if (!has_more[cluster_of(face)])
-        m_is_speck[m_component[face]] = false;
+        m_is_left_out[m_component[face]] = false;
   }
 
   const Polygon_soup& m_soup;
   const std::vector<std::size_t>& m_places;
   const Joined_faces& m_joined;
   std::vector<std::size_t> m_component; // of each chosen face
-  std::vector<bool> m_is_speck;         // of each component
+  std::vector<bool> m_is_left_out;         // of each component
 };
 
 } // namespace internal
 } // namespace Protrusion_segmentation
 } // namespace CGAL
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_SPECKS_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_LEAVE_OUT_COMPONENTS_H
