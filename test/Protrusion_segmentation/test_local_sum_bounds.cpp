@@ -69,7 +69,8 @@ void bounds_are_bounds()
   for (std::uint_fast32_t seed = 0; seed < 100; ++seed)
   {
     const Indexed_surface surface = to_surface(random_surface(seed));
-    number_of_closer_ones += check_bounds(surface, visit(surface, static_cast<Index>(seed % surface.number_of_faces())), 1);
+    number_of_closer_ones += check_bounds(
+      surface, visit(surface, static_cast<Index>(seed % surface.number_of_faces())), 1);
   }
   CHECK(number_of_closer_ones > 100);
 }

@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {

@@ -14,7 +14,6 @@
 #include <cstring>
 #include <vector>
 
-
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {

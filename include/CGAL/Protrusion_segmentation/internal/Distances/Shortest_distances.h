@@ -17,7 +17,6 @@
 #include <utility>
 #include <vector>
 
-
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {

@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/Protrusion.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/detect_border.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/distance_histogram.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/plane_section.h>
@@ -29,11 +30,12 @@ namespace internal {
 struct Tip_record
 {
   Indexed_surface::Index tip; // face of the segment
-  bool is_plausible;       // else to be used only when no plausible tip has a border
+  bool is_plausible;          // else to be used only when no plausible tip has a border
   Distance_histogram histogram;
   std::vector<double> to_earlier_tips;
   std::array<double, number_of_slots> diameters{};
-  std::size_t number_of_diameters = 0; // of the first slots, which were measured; those of the others are 0
+  std::size_t number_of_diameters =
+    0; // of the first slots, which were measured; those of the others are 0
 };
 
 // All records of a segment, in the order of selection.
@@ -71,6 +73,12 @@ struct Border_conditions
   bool uses_candidate_intervals;
   bool accepts_implausible_tips;
   double largest_share = 1; // of the faces that a protrusion may have
+
+  // Who picks a tip wants its protrusion, but no protrusion takes more than half of the segment.
+  Border_conditions for_given_tips() const
+  {
+    return {minimum_prominence, uses_candidate_intervals, true, 0.5};
+  }
 };
 
 // The distance from tip `i` to the nearest other tip in use.
@@ -81,7 +89,8 @@ inline double distance_to_nearest_tip(const Tip_records& records,
   double nearest = (std::numeric_limits<double>::infinity)();
   for (std::size_t j = 0; j < records.size(); ++j)
     if (j != i && (records[j].is_plausible || conditions.accepts_implausible_tips))
-      nearest = (std::min)(nearest, j < i ? records[i].to_earlier_tips[j] : records[j].to_earlier_tips[i]);
+      nearest = (std::min)(nearest,
+                           j < i ? records[i].to_earlier_tips[j] : records[j].to_earlier_tips[i]);
   return nearest;
 }
 
@@ -142,6 +151,19 @@ inline std::optional<Inflection> border_of_tip(const Tip_records& records,
       return inflection;
   }
   return std::nullopt;
+}
+
+// What is known of the protrusion of a tip before it is cut off.
+inline Protrusion<Indexed_surface::Index> describe_protrusion(const Tip_record& record,
+                                                              const Inflection& border)
+{
+  Protrusion<Indexed_surface::Index> protrusion;
+  protrusion.border_slot = border.slot;
+  protrusion.border_distance = record.histogram.slot_begin(border.slot);
+  protrusion.value = border.prominence;
+  protrusion.distance_histogram.assign(record.histogram.counts.begin(), record.histogram.counts.end());
+  protrusion.sectional_diameter_histogram.assign(record.diameters.begin(), record.diameters.end());
+  return protrusion;
 }
 
 } // namespace internal

@@ -30,7 +30,8 @@ public:
 
   // Of a connected surface.
   explicit Canonical_surface(Surface_arrays arrays, bool is_parallel = false)
-    : m_unit(move_to_canonical_frame(arrays, is_parallel)), m_position(canonical_order(arrays, is_parallel))
+    : m_unit(move_to_canonical_frame(arrays, is_parallel)),
+      m_position(canonical_order(arrays, is_parallel))
   {
     take_in_order(arrays, is_parallel);
   }
@@ -38,7 +39,8 @@ public:
   // Of a whole mesh; of several components in its coordinates, since they have no frame in common. For tips
   // and values, a face of a small component is the nearest face of the others.
   explicit Canonical_surface(Surface_without_small_components rest, bool is_parallel = false)
-    : m_unit(rest.is_connected ? move_to_canonical_frame(rest.arrays, is_parallel) : normalize(rest.arrays.points)),
+    : m_unit(rest.is_connected ? move_to_canonical_frame(rest.arrays, is_parallel)
+                               : normalize(rest.arrays.points)),
       m_position(canonical_order(rest.arrays, is_parallel))
   {
     take_in_order(rest.arrays, is_parallel);

@@ -107,7 +107,9 @@ public:
   using Vector_3 = Indexed_surface::Vector_3;
 
   // All coordinates of the surface are in [-1, 1].
-  Canonical_frame(const Surface_arrays& surface, bool is_parallel) : m_surface(surface), m_is_parallel(is_parallel)
+  Canonical_frame(const Surface_arrays& surface, bool is_parallel)
+    : m_surface(surface),
+      m_is_parallel(is_parallel)
   {
     m_axes = principal_axes(find_centre_and_covariance());
     direct_axes();
@@ -116,7 +118,8 @@ public:
   Point_3 operator()(const Point_3& point) const
   {
     const Vector_3 v = point - m_centre;
-    const auto along = [&v](const Triple& axis) { return axis[0] * v.x() + axis[1] * v.y() + axis[2] * v.z(); };
+    const auto along = [&v](const Triple& axis)
+    { return axis[0] * v.x() + axis[1] * v.y() + axis[2] * v.z(); };
     return {along(m_axes[0]), along(m_axes[1]), along(m_axes[2])};
   }
 
@@ -135,17 +138,12 @@ private:
   template <std::size_t N, typename Add>
   Compensated_sums<N> sums_over_faces(Add add) const
   {
-    return add_blocks(m_surface.number_of_faces(), m_is_parallel, Compensated_sums<N>(),
-                      [&](std::size_t begin, std::size_t end)
-                      {
-                        Compensated_sums<N> sums;
-                        for (std::size_t f = begin; f < end; ++f)
-                        {
-                          const Corners corners{m_surface, static_cast<Index>(f)};
-                          add(corners, measure_polygon(corners), sums);
-                        }
-                        return sums;
-                      });
+    return add_numbers(m_surface.number_of_faces(), m_is_parallel, Compensated_sums<N>(),
+                       [&](Compensated_sums<N>& sums, Index f)
+                       {
+                         const Corners corners{m_surface, f};
+                         add(corners, measure_polygon(corners), sums);
+                       });
   }
 
   // The covariance is that of all points of the surface, whatever its triangles: over a triangle, the mean of a square
@@ -214,7 +212,8 @@ private:
 
   static double largest_component(const Triple& axis)
   {
-    return *std::max_element(axis.begin(), axis.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
+    return *std::max_element(axis.begin(), axis.end(),
+                             [](double x, double y) { return std::abs(x) < std::abs(y); });
   }
 
   const Surface_arrays& m_surface;
@@ -226,27 +225,25 @@ private:
 // Starts every face at its lexicographically smallest point, after it has been turned over if `reversed`.
 inline void start_faces_canonically(Surface_arrays& surface, bool reversed, bool is_parallel)
 {
-  for_each_block(surface.number_of_faces(), is_parallel,
-                 [&](std::size_t begin, std::size_t end, std::size_t)
-                 {
-                   for (std::size_t f = begin; f < end; ++f)
-                   {
-                     const auto vertices = surface.corner_vertices.begin() + surface.corner_begin[f];
-                     const auto neighbors = surface.corner_neighbors.begin() + surface.corner_begin[f];
-                     const auto size = surface.corner_begin[f + 1] - surface.corner_begin[f];
-                     if (reversed)
-                     {
-                       std::reverse(vertices + 1, vertices + size);
-                       std::reverse(neighbors, neighbors + size);
-                     }
-                     const auto first = std::min_element(vertices, vertices + size,
-                                                         [&surface](Indexed_surface::Index u, Indexed_surface::Index v)
-                                                         { return surface.points[u] < surface.points[v]; }) -
-                                        vertices;
-                     std::rotate(vertices, vertices + first, vertices + size);
-                     std::rotate(neighbors, neighbors + first, neighbors + size);
-                   }
-                 });
+  for_each_number(surface.number_of_faces(), is_parallel,
+                  [&](Indexed_surface::Index f)
+                  {
+                    const auto vertices = surface.corner_vertices.begin() + surface.corner_begin[f];
+                    const auto neighbors = surface.corner_neighbors.begin() + surface.corner_begin[f];
+                    const auto size = surface.corner_begin[f + 1] - surface.corner_begin[f];
+                    if (reversed)
+                    {
+                      std::reverse(vertices + 1, vertices + size);
+                      std::reverse(neighbors, neighbors + size);
+                    }
+                    const auto first = std::min_element(
+                                         vertices, vertices + size,
+                                         [&surface](Indexed_surface::Index u, Indexed_surface::Index v)
+                                         { return surface.points[u] < surface.points[v]; }) -
+                                       vertices;
+                    std::rotate(vertices, vertices + first, vertices + size);
+                    std::rotate(neighbors, neighbors + first, neighbors + size);
+                  });
 }
 
 // Moves the points of a connected surface to its canonical frame, scaled to [-1, 1]^3 and rounded to multiples of a

@@ -61,7 +61,8 @@ private:
   Search::Tree m_tree;
 };
 
-CGAL_PROTRUSION_SEGMENTATION_INLINE Surface_without_small_components leave_out_small_components(Surface_arrays surface)
+CGAL_PROTRUSION_SEGMENTATION_INLINE Surface_without_small_components
+leave_out_small_components(Surface_arrays surface)
 {
   using Index = Indexed_surface::Index;
   Surface_without_small_components result;
@@ -84,7 +85,8 @@ CGAL_PROTRUSION_SEGMENTATION_INLINE Surface_without_small_components leave_out_s
 
   Scaled_faces measure(surface);
   const Nearest_face nearest(result.faces, measure);
-  const Nearest_face::Found none((std::numeric_limits<double>::infinity)(), Indexed_surface::Point_3(0, 0, 0), Index(0));
+  const Nearest_face::Found none((std::numeric_limits<double>::infinity)(),
+                                 Indexed_surface::Point_3(0, 0, 0), Index(0));
   std::vector<Nearest_face::Found> found(is_small.size(), none); // for every small component
   for (Index f = 0; f < component.size(); ++f)
     if (is_small[component[f]])

@@ -26,12 +26,14 @@ namespace internal {
 constexpr double area_share_of_small_component = 0.001;
 
 // For every component whether it is small.
-inline std::vector<bool> small_components(const std::vector<double>& areas, const std::vector<std::size_t>& face_counts)
+inline std::vector<bool> small_components(const std::vector<double>& areas,
+                                          const std::vector<std::size_t>& face_counts)
 {
   const std::size_t largest = std::size_t(std::max_element(areas.begin(), areas.end()) - areas.begin());
   std::vector<bool> result;
   for (std::size_t c = 0; c < areas.size(); ++c)
-    result.push_back(areas[c] < area_share_of_small_component * areas[largest] && face_counts[c] < face_counts[largest]);
+    result.push_back(areas[c] < area_share_of_small_component * areas[largest] &&
+                     face_counts[c] < face_counts[largest]);
   return result;
 }
 
@@ -43,7 +45,8 @@ public:
   using Index = Indexed_surface::Index;
 
   explicit Scaled_faces(const Surface_arrays& surface)
-    : m_surface(surface), m_exponent(exponent_of_largest_coordinate(surface.points))
+    : m_surface(surface),
+      m_exponent(exponent_of_largest_coordinate(surface.points))
   {}
 
   Polygon_measures operator()(Index face)
@@ -64,7 +67,9 @@ private:
 inline std::vector<bool> small_components(const Surface_arrays& surface,
                                           const std::vector<Indexed_surface::Index>& components)
 {
-  const std::size_t number = components.empty() ? 0 : *std::max_element(components.begin(), components.end()) + std::size_t(1);
+  const std::size_t number = components.empty()
+                               ? 0
+                               : *std::max_element(components.begin(), components.end()) + std::size_t(1);
   if (number < 2)
     return std::vector<bool>(number, false);
   Scaled_faces measure(surface);

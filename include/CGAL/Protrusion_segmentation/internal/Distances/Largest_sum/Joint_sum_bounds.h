@@ -13,7 +13,6 @@
 #include <limits>
 #include <vector>
 
-
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
@@ -109,8 +108,8 @@ private:
   }
 
   Index m_number_of_faces;
-  double m_unit = 1;                           // of all floats, so that none is too large or too small for one
-  Of_groups m_sizes;                           // |G|
+  double m_unit = 1; // of all floats, so that none is too large or too small for one
+  Of_groups m_sizes; // |G|
   std::vector<std::vector<float>> m_distances; // d(i, c) by c and i
   std::vector<Of_groups> m_sums;               // D(c, G) by c and G
 };

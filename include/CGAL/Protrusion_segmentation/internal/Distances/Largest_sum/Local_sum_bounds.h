@@ -14,7 +14,6 @@
 #include <numeric>
 #include <vector>
 
-
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
@@ -39,7 +38,9 @@ public:
 
   // Every computed bound is multiplied by `rounding`.
   Local_sum_bounds(Index number_of_faces, double rounding)
-    : m_rounding(rounding), m_number_in_ball(number_of_faces, Indexed_surface::no_face()), m_holder(number_of_faces)
+    : m_rounding(rounding),
+      m_number_in_ball(number_of_faces, Indexed_surface::no_face()),
+      m_holder(number_of_faces)
   {}
 
   // Lowers the bounds around the source of the last run of `shortest_distances`, where they reach `largest`, the largest sum
@@ -62,17 +63,22 @@ public:
     std::vector<Index> candidates(ball_size); // by their numbers in the ball
     std::iota(candidates.begin(), candidates.end(), Index(0));
     const auto remove = [&]()
-    { candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_no_candidate), candidates.end()); };
+    {
+      candidates.erase(std::remove_if(candidates.begin(), candidates.end(), is_no_candidate),
+                       candidates.end());
+    };
 
     remove();
     if (!candidates.empty())
     {
       hang_up_faces(shortest_distances.tree(), distances, sum);
+      // differences of distances up to twice the radius are added up n times
       m_margin = 8. * n * radius * (std::numeric_limits<double>::epsilon)();
       Shortest_distances in_ball(Dual_arcs(shortest_distances.arcs(), m_ball, m_number_in_ball));
       for (Index run = 0; run < n / ball_size * relative_work && !candidates.empty(); ++run)
       {
-        const auto widest = std::max_element(candidates.begin(), candidates.end(), [&](Index i, Index k)
+        const auto widest = std::max_element(candidates.begin(), candidates.end(),
+                                             [&](Index i, Index k)
                                              { return bounds[m_ball[i]] < bounds[m_ball[k]]; });
         find_sums(*widest, in_ball);
         for (Index i = 0; i < ball_size; ++i)
@@ -99,7 +105,8 @@ private:
   {
     m_ball.clear();
     for (std::size_t i = 0; m_ball.size() < size; ++i)
-      if (Index& number = m_number_in_ball[tree.order[i]]; number == Indexed_surface::no_face()) // else scanned again
+      if (Index& number = m_number_in_ball[tree.order[i]];
+          number == Indexed_surface::no_face()) // else scanned again
       {
         number = static_cast<Index>(m_ball.size());
         m_ball.push_back(tree.order[i]);
@@ -138,8 +145,8 @@ private:
   {
     const double n = static_cast<double>(m_holder.size());
     in_ball(source, m_from_source);
-    const double sum =
-      std::inner_product(m_weights.begin(), m_weights.end(), m_from_source.begin(), m_hanging_sum);
+    const double sum = std::inner_product(m_weights.begin(), m_weights.end(), m_from_source.begin(),
+                                          m_hanging_sum);
     m_sums.resize(m_ball.size());
     for (std::size_t i = 0; i < m_sums.size(); ++i)
       m_sums[i] = sum + n * m_from_source[i];
@@ -181,7 +188,7 @@ private:
   std::vector<Index> m_ball;
   std::vector<double> m_weights; // w(p) by number in the ball, as all below
   double m_hanging_sum = 0;      // D
-  double m_margin = 0; // rounding of a step: differences of distances up to twice the radius are added up n times
+  double m_margin = 0;           // for rounding, of a step along the tree
 
   std::vector<double> m_from_source;
   std::vector<double> m_sums;

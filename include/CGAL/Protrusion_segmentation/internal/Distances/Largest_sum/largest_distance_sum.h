@@ -22,7 +22,6 @@
 #include <utility>
 #include <vector>
 
-
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
@@ -60,10 +59,12 @@ Indexed_surface::Index largest_distance_sum_of_all_pairs(const Indexed_surface& 
 
 // Whether distances are lengths of shortest paths and tell how these run.
 template <typename Distances, typename = void>
-struct Has_shortest_path_tree : std::false_type {};
+struct Has_shortest_path_tree : std::false_type
+{};
 template <typename Distances>
 struct Has_shortest_path_tree<Distances, std::void_t<decltype(std::declval<Distances&>().tree())>>
-  : std::true_type {};
+  : std::true_type
+{};
 
 // The same face for a metric, in a handful of distance computations.
 //
@@ -154,8 +155,10 @@ private:
     m_distances(face, m_from_face);
     const double sum = distance_sum(m_from_face);
     for_each_number(m_number_of_faces, m_execution.is_parallel(),
-                    [&](Index f)
-                    { m_bounds[f] = (std::min)(m_bounds[f], (sum + m_number_of_faces * m_from_face[f]) * m_rounding); });
+                    [&](Index f) {
+                      m_bounds[f] = (std::min)(m_bounds[f],
+                                               (sum + m_number_of_faces * m_from_face[f]) * m_rounding);
+                    });
     m_bounds[face] = visited;
     if constexpr (has_tree)
       if (std::isfinite(sum) && !m_distances.tree().order.empty())
