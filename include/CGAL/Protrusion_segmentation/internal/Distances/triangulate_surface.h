@@ -131,7 +131,7 @@ private:
     return next;
   }
 
-  // One vertex for all halfedges around the end of `h`; a border halfedge stands for a border vertex.
+  // One vertex for all halfedges around the end of `h`; a border vertex has a border halfedge.
   void add_vertex(Halfedge h)
   {
     const Indexed_surface::Point_3& p = m_surface.point(m_target[h]);
@@ -155,8 +155,8 @@ private:
 };
 
 // Moves the corners of triangles that are next to flat, by a thousandth of the triangle's longest edge, in
-// pseudo-random directions: cotangents and unfolded triangles need an area, and a change of distances by
-// less than the length of a face matters to nobody here. Returns whether all triangles are in order then:
+// pseudo-random directions: cotangents and unfolded triangles need an area. Distances change by less than the
+// length of a face. Returns whether all triangles have an area then:
 // they are not where all corners are one point, or coordinates are too large for such a move.
 template <typename Point>
 bool widen_flat_triangles(Surface_mesh<Point>& mesh)

@@ -63,9 +63,8 @@ public:
     return std::move(m_segments);
   }
 
-  // Stops when no segment has an evident protrusion. Small segments are not looked into: the flow takes the
-  // largest one first, and details have prominent borders as well.
-  Nested_segments with_evident_protrusions()
+  // Stops when no segment has a border prominent enough. Small segments are not split: details have prominent borders as well.
+  Nested_segments with_automatic_number()
   {
     // between .1 and .2 the Rand index error is the same, and the number of segments falls from 16 to 11
     constexpr double least_share_of_area = 0.2;
@@ -89,18 +88,17 @@ public:
       record_given_tips(segment, tips_of_segment[s]);
       Tip_records& records = m_records[s];
       const std::size_t number_of_tips = tips_of_segment[s].size();
-      cut_off_all(segment, find_borders(
-                             records, number_of_tips, number_of_tips, m_conditions.for_given_tips(), true,
-                             [&](std::size_t tip, std::size_t number)
-                             { segment.measure_first_slots(tip, number, m_execution, records[tip]); }));
+      const auto measure = [&](std::size_t tip, std::size_t number)
+      { segment.measure_first_slots(tip, number, m_execution, records[tip]); };
+      cut_off_all(segment, find_borders(records, number_of_tips, number_of_tips, m_conditions.for_given_tips(), true, measure));
       m_observer.distances_computed(segment.distances->number_of_runs());
     }
     return std::move(m_segments);
   }
 
 private:
-  static constexpr double least_prominence =
-    0.01; // a diameter that grows by 1 % over 5 slots does not grow
+  // a diameter that grows by 1 % over 5 slots does not grow
+  static constexpr double least_prominence = 0.01;
 
   // A tip of a segment by its number, and its border.
   using Tip_border = std::pair<std::size_t, Inflection>;
@@ -138,10 +136,9 @@ private:
     const Stage_scope stage(m_observer, Stage::PREPARATION);
     const Nested_segments::Faces& faces = m_segments.faces(id);
     const bool is_whole = faces.size() == m_surface.number_of_faces();
-    Extracted_segment extracted = is_whole
-                                    ? Extracted_segment{{}, faces, std::vector<bool>(faces.size(), false)}
-                                    : m_extract(faces);
-    return Segment_surface(id, std::move(extracted), m_surface, m_distance, m_execution);
+    return Segment_surface(
+      id, is_whole ? Extracted_segment{{}, faces, std::vector<bool>(faces.size(), false)} : m_extract(faces), m_surface,
+      m_distance, m_execution);
   }
 
   // Steps 2 to 4 in one segment; returns whether a protrusion was cut off. The records of a segment that
@@ -203,13 +200,11 @@ private:
     segment.measure(distances, number, m_execution, records.back());
   }
 
-  // The records of tips that were not selected here, faces of the whole surface, and of further ones where there are
-  // few.
+  // The records of given tips, faces of the whole surface, and of further ones if they are few.
   void record_given_tips(Segment_surface& segment, const std::vector<Index>& tips)
   {
     const Stage_scope stage(m_observer, Stage::TIPS);
-    std::vector<double> to_nearest_tip(segment.surface.number_of_faces(),
-                                       (std::numeric_limits<double>::max)());
+    std::vector<double> to_nearest_tip(segment.surface.number_of_faces(), (std::numeric_limits<double>::max)());
     std::vector<double> distances;
     for (std::size_t i = 0; i < (std::max)(tips.size(), least_number_of_tips); ++i)
     {
@@ -250,8 +245,8 @@ private:
     return borders;
   }
 
-  // Step 4. A tip that lies in the protrusion of another one, or whose protrusion would be all that is left,
-  // is left out. The tips of what remains are selected anew when it is its turn.
+  // Step 4. Skips tips that lie in the protrusion of another one, or whose protrusion would take all that remains. The tips
+  // of what remains are selected anew when it is its turn.
   void cut_off_all(Segment_surface& segment, const std::vector<Tip_border>& borders)
   {
     const Stage_scope stage(m_observer, Stage::LABELS);

@@ -74,7 +74,7 @@ struct Border_conditions
   bool accepts_implausible_tips;
   double largest_share = 1; // of the faces that a protrusion may have
 
-  // Who picks a tip wants its protrusion, but no protrusion takes more than half of the segment.
+  // For given tips every protrusion is accepted that takes at most half of the segment.
   Border_conditions for_given_tips() const
   {
     return {minimum_prominence, uses_candidate_intervals, true, 0.5};

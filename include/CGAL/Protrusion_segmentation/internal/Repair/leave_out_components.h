@@ -91,8 +91,8 @@ private:
     for (std::size_t side = 0; side < pairs.number_of_sides(); ++side)
     {
       const std::size_t face = pairs.face(side);
-      const bool is_free = pairs.partner(side) == Edge_pairs::none() && !pairs.is_crowded(side);
-      if (!m_joined.choice.has_double[face] || is_free)
+      const bool is_free = pairs.partner(side) == Edge_pairs::none() && !pairs.is_non_manifold(side);
+      if (!m_joined.choice.has_duplicate[face] || is_free)
         is_wall[m_component[face]] = false;
     }
     std::vector<bool> has_border(m_component.size(), false);

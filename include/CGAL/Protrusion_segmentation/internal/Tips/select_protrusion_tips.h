@@ -58,7 +58,7 @@ Tip_selection select_protrusion_tips(const Indexed_surface& surface,
   return selection;
 }
 
-// The same where every face is plausible and nobody looks at the distances.
+// The same where every face is plausible.
 inline std::vector<Indexed_surface::Index> select_protrusion_tips(const Indexed_surface& surface,
                                                                   Distances_on_surface& distances,
                                                                   std::size_t count)
@@ -76,7 +76,7 @@ inline std::vector<Indexed_surface::Index> select_protrusion_tips(const Indexed_
 constexpr std::size_t least_number_of_tips = 6;
 
 // Picked tips without those that mean the same protrusion as an earlier one: the same face again, or a face that
-// shares a vertex with it. Nobody tells two tips so near apart, and no border fits between them.
+// shares a vertex with it. No border fits between them.
 inline std::vector<Indexed_surface::Index> distinct_tips(const Indexed_surface& surface,
                                                          const std::vector<Indexed_surface::Index>& tips)
 {
