@@ -16,7 +16,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_without_small_components.h>
-#include <CGAL/Protrusion_segmentation/internal/Tips/select_tips_of_components.h>
+#include <CGAL/Protrusion_segmentation/internal/Tips/select_protrusion_tips.h>
 
 #include <CGAL/Named_function_parameters.h>
 
