@@ -9,4 +9,4 @@
 #include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Rest_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Surface_without_small_components.h>

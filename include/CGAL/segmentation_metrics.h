@@ -8,9 +8,8 @@
 #include <CGAL/Protrusion_segmentation/Consistency_error.h>
 #include <CGAL/Protrusion_segmentation/Hamming_distance.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_metrics.h>
-#include <CGAL/Protrusion_segmentation/internal/Metrics/Segment_overlap.h>
 #include <CGAL/Protrusion_segmentation/internal/Metrics/border_distances.h>
-#include <CGAL/Protrusion_segmentation/internal/Metrics/face_measures.h>
+#include <CGAL/Protrusion_segmentation/internal/Metrics/face_areas.h>
 #include <CGAL/Protrusion_segmentation/internal/Metrics/overlap_errors.h>
 #include <CGAL/Protrusion_segmentation/internal/Metrics/segment_id_maps.h>
 

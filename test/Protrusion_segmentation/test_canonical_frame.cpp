@@ -10,7 +10,7 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/principal_axes.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/canonical_frame.h>
 
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

@@ -2,8 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The arcs of the face dual graph in three places for each face, and in any number of them: the same as those of the
-// graph for the Boost Graph Library, of all faces and of some.
+// The arcs of the face dual graph are those of the graph for the Boost Graph Library, of all faces and of some.
 
 #include "check.h"
 #include "indexed_surfaces.h"
@@ -35,16 +34,6 @@ Arcs arcs_of(const Indexed_surface::Dual_graph& graph, Index face)
   return result;
 }
 
-template <typename Places>
-Arcs arcs_in_places(const Places& places, Index face)
-{
-  Arcs result;
-  for (const Dual_arcs::Arc& arc : places[face])
-    if (arc.target() != face)
-      result.emplace_back(arc.target(), arc.length());
-  return result;
-}
-
 // Also the arcs between the faces with these numbers, in this order.
 void check_subset(const Dual_arcs& all, const std::vector<Index>& faces)
 {
@@ -63,20 +52,14 @@ void check_subset(const Dual_arcs& all, const std::vector<Index>& faces)
   }
 }
 
-void check_arcs(const Test_mesh& mesh, bool has_three_places)
+void check_arcs(const Test_mesh& mesh)
 {
   const Indexed_surface surface = to_surface(mesh);
   const Dual_arcs arcs(surface);
   CHECK_EQUAL(arcs.number_of_faces(), surface.number_of_faces());
-  CHECK_EQUAL(arcs.has_three_places(), has_three_places);
-  const auto expected = surface.dual_graph(), graph = arcs.graph();
+  const auto expected = surface.dual_graph();
   for (Index f = 0; f < surface.number_of_faces(); ++f)
-  {
     CHECK(arcs_of(arcs, f) == arcs_of(expected, f));
-    CHECK(arcs_of(graph, f) == arcs_of(expected, f));
-    CHECK((has_three_places ? arcs_in_places(arcs.three_places(), f) : arcs_in_places(arcs.any_places(), f)) ==
-          arcs_of(expected, f));
-  }
   std::vector<Index> two_thirds;
   for (Index f = surface.number_of_faces(); f-- > 0;)
     if (f % 3 != 1)
@@ -87,12 +70,12 @@ void check_arcs(const Test_mesh& mesh, bool has_three_places)
 
 int main()
 {
-  check_arcs(icosphere(2), true);
-  check_arcs(single_triangle(), true);
-  check_arcs(triangulated(sheet(7, 5)), true); // with a border
-  check_arcs(sheet(7, 5), false);
-  check_arcs(football(), false);
+  check_arcs(icosphere(2));
+  check_arcs(single_triangle());
+  check_arcs(triangulated(sheet(7, 5))); // with a border
+  check_arcs(sheet(7, 5));
+  check_arcs(football());
   for (std::uint_fast32_t seed = 0; seed < 50; ++seed)
-    check_arcs(triangulated(random_surface(seed)), true);
+    check_arcs(triangulated(random_surface(seed)));
   return check::result();
 }

@@ -102,7 +102,6 @@ void same_face_as_all_pairs_where_sums_tie()
   }
 }
 
-// Two at a time are visited where there are more than four thousand faces.
 void same_face_as_all_pairs_on_larger_surfaces()
 {
   for (const Test_mesh& mesh : {bumpy_sphere(4, 1), icosphere(4), star(5)})
@@ -224,12 +223,11 @@ void joint_bounds_are_bounds(double size)
     for (Index source = 0; source < surface.number_of_faces(); source += 7)
     {
       distances(source, from_face);
-      const double longest = *std::max_element(from_face.begin(), from_face.end());
-      bounds.add(from_face, longest);
+      bounds.add(from_face);
       for (Index f = 0; f < surface.number_of_faces(); ++f)
         CHECK(bounds(f) >= sums[f] * (1 - 1e-12));
       if (bounds.number_of_sources() == 1)
-        CHECK(bounds(source) <= sums[source] + 1e-4 * longest * surface.number_of_faces());
+        CHECK(bounds(source) <= sums[source] * (1 + 1e-6));
     }
     CHECK(bounds.number_of_sources() > 0);
     CHECK(bounds.middle() < surface.number_of_faces());

@@ -8,8 +8,8 @@
 #include "indexed_surfaces.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Histogram_method/sectional_diameter_histogram.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/histograms.h>
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation::internal;

@@ -70,7 +70,7 @@ void equals_boost_to_the_last_bit()
   check_bitwise(single_triangle());
   check_bitwise(thin_strip(500));
   check_bitwise(triangulated(sheet(40, 30)));
-  check_bitwise(triangulated(sheet(1000, 250)), 1); // memory is read ahead where there are more faces than in caches
+  check_bitwise(triangulated(sheet(1000, 250)), 1);
 }
 
 // All arcs have the same length, up to rounding: distances fall on the limits of the buckets.

@@ -4,7 +4,7 @@
 
 #include "segmentation/smooth_borders.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Metrics/face_measures.h>
+#include <CGAL/Protrusion_segmentation/internal/Metrics/face_areas.h>
 #include <CGAL/Protrusion_segmentation/smooth_segment_borders.h>
 
 #include <boost/property_map/property_map.hpp>

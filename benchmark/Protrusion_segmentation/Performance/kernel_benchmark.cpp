@@ -9,9 +9,9 @@
 #include "sphere.h"
 
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Largest_sum/largest_distance_sum.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
-#include <CGAL/Protrusion_segmentation/internal/Histogram_method/sectional_diameter_histogram.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/histograms.h>
 #include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 

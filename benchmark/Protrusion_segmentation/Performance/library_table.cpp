@@ -6,8 +6,8 @@
 #include "tables.h"
 
 #include <CGAL/Protrusion_segmentation/Histogram_method.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
-#include <CGAL/Protrusion_segmentation/internal/Histogram_method/sectional_diameter_histogram.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Largest_sum/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/histograms.h>
 #include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 #include <CGAL/protrusion_segmentation.h>

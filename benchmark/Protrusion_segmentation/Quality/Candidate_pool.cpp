@@ -8,7 +8,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/leave_out_specks.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/leave_out_small_components.h>
 #include <CGAL/protrusion_segmentation.h>
 
 #include <algorithm>
@@ -45,7 +45,7 @@ double sum_of_pairs(const std::vector<double>& numbers)
 Candidate_pool::Candidate_pool(const Model& model)
   : m_class_name(model.class_name),
     m_number_of_segments(model.number_of_segments),
-    m_surface(PS::internal::leave_out_specks(
+    m_surface(PS::internal::leave_out_small_components(
       PS::internal::read_arrays(model.mesh, CGAL::parameters::default_values()))),
     m_graphs(connected(m_surface.surface(), model.number), m_options, m_execution),
     m_search(m_surface.surface(), m_graphs, m_no_distance, m_options, m_execution)

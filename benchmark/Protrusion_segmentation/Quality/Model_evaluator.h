@@ -13,7 +13,7 @@
 #include "Benchmark_folder.h"
 #include "Scores.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Metrics/Segment_overlap.h>
+#include <CGAL/Protrusion_segmentation/internal/Metrics/overlap_errors.h>
 #include <CGAL/segmentation_metrics.h>
 
 #include <optional>

@@ -134,9 +134,8 @@ private:
 
 #if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES)
 
+#include <CGAL/Protrusion_segmentation/internal/Distances/Largest_sum/largest_distance_sum.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/diffusion_map.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/random_walk.h>
 
 namespace CGAL {
 namespace Protrusion_segmentation {

@@ -7,7 +7,6 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/Asking_map.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/triangulate_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/inline.h>
@@ -68,7 +67,7 @@ public:
     using Traits = Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 
     template <typename Tag>
-    using Mesh_map = internal::Asking_map<typename boost::property_map<Mesh, Tag>::const_type>;
+    using Mesh_map = internal::Checking_map<typename boost::property_map<Mesh, Tag>::const_type>;
     using Paths = Surface_mesh_shortest_path<Traits, Mesh_map<boost::vertex_index_t>, Mesh_map<boost::halfedge_index_t>,
                                              Mesh_map<boost::face_index_t>, Mesh_map<vertex_point_t>>;
 
@@ -115,7 +114,7 @@ public:
 
 #if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES)
 
-#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Largest_sum/largest_distance_sum.h>
 
 #include <algorithm>
 #include <cmath>
@@ -134,7 +133,7 @@ Exact_geodesic_distance::On_surface::On_surface(const Indexed_surface& surface, 
   if (!m_triangulated)
     return;
   const Mesh& mesh = m_triangulated->mesh;
-  const auto map = [&](auto tag) { return internal::Asking_map(get(tag, mesh), execution); };
+  const auto map = [&](auto tag) { return internal::Checking_map(get(tag, mesh), execution); };
   m_paths = std::make_unique<Paths>(mesh, map(boost::vertex_index), map(boost::halfedge_index),
                                     map(boost::face_index), map(vertex_point));
   for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)

@@ -7,7 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Largest_sum/largest_distance_sum.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 
 #include <algorithm>
@@ -49,7 +49,7 @@ public:
       : m_surface(surface),
         m_maximum_number_of_visits(maximum_number_of_visits),
         m_execution(execution),
-        m_shortest_distances(surface, execution.is_parallel())
+        m_shortest_distances(surface)
     {}
 
     /// computes the distances from a face.
@@ -76,18 +76,16 @@ public:
       internal::Largest_distance_sum<internal::Shortest_distances> search(m_surface, m_shortest_distances, m_execution);
       m_kept_source = search(m_maximum_number_of_visits);
       m_kept = search.take_distances_from_best();
-      m_number_of_runs_of_copies += search.number_of_visits_by_copy();
       return m_kept_source;
     }
     /// \return how many shortest path computations there were so far
-    std::size_t number_of_runs() const { return m_shortest_distances.number_of_runs() + m_number_of_runs_of_copies; }
+    std::size_t number_of_runs() const { return m_shortest_distances.number_of_runs(); }
 
   private:
     const Indexed_surface& m_surface;
     std::size_t m_maximum_number_of_visits;
     Execution& m_execution;
     internal::Shortest_distances m_shortest_distances;
-    std::size_t m_number_of_runs_of_copies = 0;
     // the distances of the face of eq. (1) are asked for next
     Indexed_surface::Index m_kept_source = 0;
     std::vector<double> m_kept;

@@ -9,7 +9,6 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/Asking_map.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/triangulate_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/inline.h>
@@ -75,7 +74,7 @@ public:
     using Triangulated = internal::Triangulated_surface<Point>;
     using Mesh = Surface_mesh<Point>;
     // asked about by the heat method between its two factorizations
-    using Point_map = internal::Asking_map<boost::property_map<Mesh, vertex_point_t>::const_type>;
+    using Point_map = internal::Checking_map<boost::property_map<Mesh, vertex_point_t>::const_type>;
     using Heat_method =
       Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, Heat_method_3::Direct, Point_map>;
 
@@ -118,7 +117,7 @@ public:
 
 #if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES)
 
-#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Largest_sum/largest_distance_sum.h>
 
 namespace CGAL {
 namespace Protrusion_segmentation {

@@ -127,7 +127,7 @@ Histogram_method::segment(const Indexed_surface& surface,
   internal::Histogram_segmentation segmentation(
     surface, m_distance, {m_minimum_prominence, m_uses_candidate_intervals, false}, execution);
   return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments)
-                            : segmentation.with_evident_protrusions();
+                            : segmentation.with_automatic_number();
 }
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE internal::Nested_segments

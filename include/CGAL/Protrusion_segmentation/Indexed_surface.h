@@ -236,12 +236,7 @@ private:
     if (!has_triangles_only())
       m_centroids.resize(n);
     m_areas.resize(n);
-    internal::for_each_block(n, is_parallel,
-                             [this](std::size_t begin, std::size_t end, std::size_t)
-                             {
-                               for (std::size_t f = begin; f < end; ++f)
-                                 measure_face(static_cast<Index>(f));
-                             });
+    internal::for_each_number(n, is_parallel, [this](Index f) { measure_face(f); });
     for (double area : m_areas)
       m_area += area;
   }

@@ -7,11 +7,10 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/Nearest_landmarks.h>
-#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/largest_distance_sum.h>
-#include <CGAL/Protrusion_segmentation/internal/Distances/select_landmarks.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Largest_sum/largest_distance_sum.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Shortest_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/landmarks.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 
 #include <cmath>
 #include <cstddef>

@@ -63,23 +63,23 @@ std::vector<std::vector<std::size_t>> face_neighbors(const FaceGraph& mesh)
   return neighbors;
 }
 
-// For each face whether it lies on a speck, which has the segment of another component.
+// For each face whether its component is small and has the segment of another one.
 template <typename FaceGraph>
-std::vector<bool> faces_on_specks(const FaceGraph& mesh)
+std::vector<bool> faces_on_small_components(const FaceGraph& mesh)
 {
   const internal::Surface_arrays surface = internal::read_arrays(mesh, CGAL::parameters::default_values());
   const std::vector<std::uint32_t> components = internal::components_of_faces(surface);
-  const std::vector<bool> is_speck = internal::specks_among(surface, components);
+  const std::vector<bool> is_small = internal::small_components(surface, components);
   std::vector<bool> result;
   for (const std::uint32_t component : components)
-    result.push_back(is_speck[component]);
+    result.push_back(is_small[component]);
   return result;
 }
 
-// The segment that is not connected over edges, but for specks.
+// The segment that is not connected over edges, but for small components.
 inline std::optional<std::string> problem_with_connectedness(
   const std::vector<std::vector<std::size_t>>& neighbors,
-  const std::vector<bool>& is_on_speck,
+  const std::vector<bool>& is_on_small_component,
   const std::vector<std::size_t>& ids,
   std::size_t number_of_segments)
 {
@@ -88,7 +88,7 @@ inline std::optional<std::string> problem_with_connectedness(
   std::vector<bool> is_reached(ids.size(), false);
   for (std::size_t f = 0; f < ids.size(); ++f)
   {
-    if (is_reached[f] || is_on_speck[f])
+    if (is_reached[f] || is_on_small_component[f])
       continue;
     if (first_face[ids[f]] != none)
       return "segment " + std::to_string(ids[f]) + " is not connected: faces " +
@@ -112,7 +112,7 @@ inline std::optional<std::string> problem_with_connectedness(
 }
 
 // The first problem of a segmentation for which a function returned `number_of_segments`, or nothing: every
-// face has a segment, ids are 0 to n - 1 and all used, every segment is connected but for specks. `segment_ids` is a model
+// face has a segment, ids are 0 to n - 1 and all used, every segment is connected but for small components. `segment_ids` is a model
 // of `ReadablePropertyMap` with integers as values. Linear time.
 template <typename FaceGraph, typename SegmentMap>
 std::optional<std::string> problem_with_segmentation(const FaceGraph& mesh,
@@ -124,7 +124,7 @@ std::optional<std::string> problem_with_segmentation(const FaceGraph& mesh,
     ids.push_back(static_cast<std::size_t>(get(segment_ids, f)));
   if (const auto problem = problem_with_segment_ids(ids, number_of_segments))
     return problem;
-  return problem_with_connectedness(face_neighbors(mesh), faces_on_specks(mesh), ids, number_of_segments);
+  return problem_with_connectedness(face_neighbors(mesh), faces_on_small_components(mesh), ids, number_of_segments);
 }
 
 } // namespace validation

@@ -15,8 +15,8 @@
 #include <CGAL/Protrusion_segmentation/internal/Mesh/write_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Rest_of_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Tips/select_tips_of_components.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Surface_without_small_components.h>
+#include <CGAL/Protrusion_segmentation/internal/Tips/select_protrusion_tips.h>
 
 #include <CGAL/Named_function_parameters.h>
 
@@ -57,9 +57,9 @@ auto run_on_mesh(const FaceGraph& mesh, const NamedParameters& np, Run run)
   std::optional<Canonical_surface> surface;
   {
     const Stage_scope stage(observer, Stage::READING);
-    Rest_of_surface rest = leave_out_specks(read_arrays(mesh, np));
-    if (rest.number_of_specks > 0)
-      observer.specks_left_out(rest.number_of_specks);
+    Surface_without_small_components rest = leave_out_small_components(read_arrays(mesh, np));
+    if (rest.number_of_small_components > 0)
+      observer.specks_left_out(rest.number_of_small_components);
     execution.check();
     surface.emplace(std::move(rest), execution.is_parallel());
   }

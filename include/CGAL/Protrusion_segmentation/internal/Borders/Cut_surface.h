@@ -84,7 +84,7 @@ struct Cut_surface
     for (const Inner_edge& edge : edges)
       if (pieces[edge.piece].segment == pieces[edge.other_piece].segment)
         sets.union_set(edge.piece, edge.other_piece);
-    std::vector<std::size_t> part_of(pieces.size(), 0); // one more than its number; of the pieces that stand for a set
+    std::vector<std::size_t> part_of(pieces.size(), 0); // one more than its number; of the representatives of sets
     std::vector<Parts> result(number_of_segments);
     for (Index p = 0; p < pieces.size(); ++p)
     {

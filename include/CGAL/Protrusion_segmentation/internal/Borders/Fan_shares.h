@@ -63,8 +63,8 @@ public:
     return 0;
   }
 
-  // The segment of the largest share of each fan. A few fans that hang together, but not with any that lay in their segment
-  // from the beginning, go to a neighbor.
+  // The segment of the largest share of each fan. An island of connected fans, none of which lay in their segment alone from the
+  // beginning, gets the segment of a neighbor.
   std::vector<Index> segments() const
   {
     std::vector<Index> result;
@@ -137,7 +137,7 @@ private:
     }
   }
 
-  // Further away nothing changes.
+  // The fans whose shares can change.
   void make_band(std::size_t number_of_rounds)
   {
     for (Index fan = 0; fan < m_shares.size(); ++fan)

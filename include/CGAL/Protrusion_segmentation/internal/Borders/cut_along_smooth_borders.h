@@ -11,7 +11,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Borders/Edge_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Borders/Face_cutter.h>
 #include <CGAL/Protrusion_segmentation/internal/Borders/Fan_shares.h>
-#include <CGAL/Protrusion_segmentation/internal/Borders/Kept_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 
 #include <algorithm>
@@ -94,7 +93,8 @@ private:
     return is_any_new;
   }
 
-  // Where a few edges of a border are kept, others may cut off a scrap beside them. No need to keep all of the segment then.
+  // Where a few edges of a border are kept, others may cut off a scrap beside them. Then its surroundings are kept, not all of
+  // the segment.
   bool keep_around_scraps(const Cut_surface& result, const Cut_surface::Parts& parts, Index s)
   {
     if (parts.size() <= m_parts[s] || m_kept.contains_segment(s) || m_scrap_steps[s]++ >= number_of_scrap_steps)
@@ -119,8 +119,8 @@ private:
     return is_any_new;
   }
 
-  // What smoothing does not shorten was straight before, along edges of the mesh. That it stays does not suffice: where it
-  // meets other borders, these may move and take it along. Nor do segments that did not touch have a border that could stay.
+  // Keeps more around borders that got longer and between segments that did not touch before. A border that smoothing does not
+  // shorten was straight before, along edges of the mesh.
   bool keep_worse_borders(const Cut_surface& result, const Inner_edges& edges)
   {
     constexpr double rounding = 1e-9; // relative
@@ -152,8 +152,8 @@ private:
     return contacts;
   }
 
-  // Keeps more of what is around a border each time that it comes out worse, in the end everything. Returns whether there
-  // was anything left to keep.
+  // Keeps more around a border each time that it is worse than before, in the end everything. Returns whether anything new is
+  // kept.
   bool keep_more(const Pair& pair, const New_contacts& contacts)
   {
     std::size_t& step = m_steps[pair];
@@ -185,7 +185,7 @@ private:
     return is_any_new;
   }
 
-  // Those that push in between the two, or draw back from there.
+  // Of both segments with each segment that touches both.
   bool keep_to_common_neighbors(Index s, Index t)
   {
     bool is_any_new = false;
@@ -223,7 +223,7 @@ private:
 };
 
 // Moves the borders between segments to smooth lines, along which faces are cut. No border gets longer, and there is none
-// between segments that had none: what would make it so stays where it is. A segment that does not come out in as many
+// between segments that had none: borders that would become so stay where they are. A segment that does not come out in as many
 // connected parts as it had keeps its faces.
 inline Smooth_borders cut_along_smooth_borders(const Indexed_surface& surface,
                                                const std::vector<Indexed_surface::Index>& segment_of_face,

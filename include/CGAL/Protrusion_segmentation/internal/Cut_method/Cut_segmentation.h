@@ -18,7 +18,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
-#include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
+#include <CGAL/Protrusion_segmentation/internal/Tips/select_protrusion_tips.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,7 +6,6 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_BUCKET_RING_H
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -40,21 +39,14 @@ struct Arc_lengths
   double mean() const { return number > 0 ? sum / static_cast<double>(number) : 0; }
 };
 
-template <typename Vertex>
-struct No_prefetch
-{
-  void vertex(const Vertex&) const {}
-  void neighbors(const Vertex&) const {}
-};
-
-// A ring of buckets in place of the heap of Dijkstra's algorithm, each as wide as the mean arc. Inside a bucket a
-// vertex may be scanned again when a shorter path to it turns up; since rounding is monotone, the distances still are
-// the smallest over all paths. On Princeton models there are 1.06 scans per face.
+// A ring of buckets in place of the heap of Dijkstra's algorithm, each as wide as the mean arc, or wider if one arc is very
+// long. Inside a bucket a vertex may be scanned again when a shorter path to it is found. The distances are the same to
+// the last bit as with a heap: the smallest over all paths, for rounding is monotone. On Princeton models there are 1.06
+// scans per face.
 //
-// Some vertices are scanned at once: first all paths over them are offered that are shorter than what is known, without
-// writing anything else and without a branch, then the shortest are accepted. Whether a path is shorter cannot be foretold,
-// but that an offer is the best one mostly can; and a distance is read soon after it was written only rarely. That takes half
-// the time of accepting each path as it is found.
+// Some vertices are scanned at once, in two passes: the first writes the paths that are shorter than those known, without a
+// branch, the second accepts those that still are. This avoids mispredicted branches and takes half the time of
+// accepting each path as it is found.
 template <typename Vertex, typename Distance = double>
 class Bucket_ring
 {
@@ -66,25 +58,12 @@ public:
     Vertex before; // on the path
   };
 
-  // Buckets are as wide as the mean arc.
+  // The lengths must be finite.
   explicit Bucket_ring(const Arc_lengths& arcs)
   {
-    const double mean = arcs.mean();
-    if (mean > 0 && std::isfinite(mean) && arcs.longest <= mean * most_buckets)
-      make_buckets(mean, arcs);
-  }
-
-  // For arcs of any finite lengths: where one is too long buckets are wider, and vertices in them may be scanned more often.
-  static Bucket_ring for_all(const Arc_lengths& arcs)
-  {
-    Bucket_ring ring;
     const double width = (std::max)(arcs.mean(), arcs.longest / most_buckets);
-    ring.make_buckets(width > 0 ? width : 1, arcs);
-    return ring;
+    make_buckets(width > 0 ? width : 1, arcs);
   }
-
-  // Or else there are no arcs, or only ones of length 0, or one is too long for the ring.
-  bool is_usable() const { return !m_buckets.empty(); }
 
   // A vertex whose distance is 0, before all others.
   void push_source(const Vertex& vertex)
@@ -97,18 +76,9 @@ public:
   // - `offer(vertex, place)` writes the paths over a vertex that are shorter than those known from `place` on and returns the
   //   place behind them,
   // - `accept(offer)` is called where the offer still is shorter than `distance_of(vertex)`, the least that is known,
-  // - `leave_bucket()` is called when the distances of all vertices whose paths were offered up to then are final,
-  // - `prefetch.vertex(vertex)` is called some vertices before one may be scanned, and `prefetch.neighbors(vertex)` halfway.
-  template <typename DistanceOf,
-            typename OfferPaths,
-            typename Accept,
-            typename LeaveBucket,
-            typename Prefetch = No_prefetch<Vertex>>
-  void scan_all(DistanceOf distance_of,
-                OfferPaths offer,
-                Accept accept,
-                LeaveBucket leave_bucket,
-                Prefetch prefetch = Prefetch())
+  // - `leave_bucket()` is called when the distances of all vertices whose paths were offered up to then are final.
+  template <typename DistanceOf, typename OfferPaths, typename Accept, typename LeaveBucket>
+  void scan_all(DistanceOf distance_of, OfferPaths offer, Accept accept, LeaveBucket leave_bucket)
   {
     // in registers, which members would not be
     const double buckets_per_unit = m_buckets_per_unit;
@@ -125,14 +95,8 @@ public:
       {
         Offer* end_of_offers = offers;
         for (const std::size_t end = (std::min)(queue.size(), i + at_once); i < end; ++i)
-        {
-          if (i + vertices_ahead < queue.size())
-            prefetch.vertex(queue[i + vertices_ahead]);
-          if (i + vertices_ahead / 2 < queue.size())
-            prefetch.neighbors(queue[i + vertices_ahead / 2]);
           if (bucket(distance_of(queue[i])) == current) // else: scanned before, from a nearer bucket
             end_of_offers = offer(queue[i], end_of_offers);
-        }
         for (const Offer* path = offers; path != end_of_offers; ++path)
           if (path->distance < distance_of(path->vertex))
           {
@@ -148,14 +112,11 @@ public:
   }
 
 private:
-  Bucket_ring() = default;
-
   void make_buckets(double width, const Arc_lengths& arcs)
   {
     m_buckets_per_unit = 1 / width;
     // An arc ends at most longest / width + 1 buckets further, and one more where rounding moves its ends
-    // to different sides of a bucket's limit. The ring must be longer than that; a power of two spares a division, which
-    // would take a fifth of the whole time.
+    // to different sides of a bucket's limit. The ring must be longer than that. A power of two spares a division.
     std::size_t size = 4;
     while (size < static_cast<std::size_t>(arcs.longest / width) + 3)
       size *= 2;
@@ -165,12 +126,10 @@ private:
     m_offers.resize(m_vertices_at_once * most + 1);
   }
 
-  // A longer ring would cost more to walk than the heap; meshes with arcs a thousand times their mean are
-  // needles and rare.
-  static constexpr std::size_t most_buckets = 1024;
-  // With 6 the paper's method takes a twentieth more time, with 20 thousand faces as with a million.
-  static constexpr std::size_t vertices_ahead = 16;
-  // From 16 to 64 it takes the same time, with 8 a tenth more. Of vertices with many arcs fewer are scanned at once.
+  // A longer ring would cost more to walk than a heap. Arcs a thousand times their mean are rare.
+  static constexpr double most_buckets = 1024;
+  // From 16 to 64 the paper's method takes the same time, with 8 a tenth more. Of vertices with many arcs fewer are scanned
+  // at once.
   static constexpr std::size_t most_vertices_at_once = 32;
   static constexpr std::size_t most_offers = 1024;
 

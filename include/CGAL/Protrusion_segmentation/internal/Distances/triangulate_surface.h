@@ -5,10 +5,13 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_TRIANGULATE_SURFACE_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_TRIANGULATE_SURFACE_H
 
+#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <array>
@@ -128,7 +131,7 @@ private:
     return next;
   }
 
-  // One vertex for all halfedges around the end of `h`; a border halfedge stands for a border vertex.
+  // One vertex for all halfedges around the end of `h`; a border vertex has a border halfedge.
   void add_vertex(Halfedge h)
   {
     const Indexed_surface::Point_3& p = m_surface.point(m_target[h]);
@@ -152,8 +155,8 @@ private:
 };
 
 // Moves the corners of triangles that are next to flat, by a thousandth of the triangle's longest edge, in
-// pseudo-random directions: cotangents and unfolded triangles need an area, and a change of distances by
-// less than the length of a face matters to nobody here. Returns whether all triangles are in order then:
+// pseudo-random directions: cotangents and unfolded triangles need an area. Distances change by less than the
+// length of a face. Returns whether all triangles have an area then:
 // they are not where all corners are one point, or coordinates are too large for such a move.
 template <typename Point>
 bool widen_flat_triangles(Surface_mesh<Point>& mesh)
@@ -197,6 +200,33 @@ std::unique_ptr<Triangulated_surface<Point>> triangulate_for_paths(const Indexed
     std::make_unique<Triangulated_surface<Point>>(Surface_triangulator<Point>(surface)());
   return surface.area() > 0 && widen_flat_triangles(result->mesh) ? std::move(result) : nullptr;
 }
+
+// A property map of a mesh that calls `Execution::check()` now and then: for algorithms of CGAL that compute for seconds and
+// have no visitor.
+template <typename Map>
+class Checking_map
+{
+public:
+  using key_type = typename boost::property_traits<Map>::key_type;
+  using value_type = typename boost::property_traits<Map>::value_type;
+  using reference = typename boost::property_traits<Map>::reference;
+  using category = boost::readable_property_map_tag;
+
+  Checking_map(Map map, Execution& execution) : m_map(map), m_execution(&execution) {}
+
+  friend reference get(const Checking_map& map, const key_type& key)
+  {
+    constexpr std::size_t values_between_checks = 1 << 13;
+    if (++map.m_number_of_values % values_between_checks == 0)
+      map.m_execution->check();
+    return get(map.m_map, key);
+  }
+
+private:
+  Map m_map;
+  Execution* m_execution;
+  mutable std::size_t m_number_of_values = 0;
+};
 
 } // namespace internal
 } // namespace Protrusion_segmentation

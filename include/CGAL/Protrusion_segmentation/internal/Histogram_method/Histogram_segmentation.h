@@ -14,7 +14,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/cut_off_protrusion.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
-#include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
 #include <CGAL/Protrusion_segmentation/internal/Tips/select_protrusion_tips.h>
 
 #include <algorithm>
@@ -64,9 +63,8 @@ public:
     return std::move(m_segments);
   }
 
-  // Stops when no segment has an evident protrusion. Small segments are not looked into: the flow takes the
-  // largest one first, and details have prominent borders as well.
-  Nested_segments with_evident_protrusions()
+  // Stops when no segment has a border prominent enough. Small segments are not split: details have prominent borders as well.
+  Nested_segments with_automatic_number()
   {
     // between .1 and .2 the Rand index error is the same, and the number of segments falls from 16 to 11
     constexpr double least_share_of_area = 0.2;
@@ -88,14 +86,19 @@ public:
       const Next_segment progress(m_execution, s, tips_of_segment.size());
       Segment_surface segment = make_segment(s);
       record_given_tips(segment, tips_of_segment[s]);
-      cut_off_all(segment, find_borders_of_given_tips(segment, tips_of_segment[s].size()));
+      Tip_records& records = m_records[s];
+      const std::size_t number_of_tips = tips_of_segment[s].size();
+      const auto measure = [&](std::size_t tip, std::size_t number)
+      { segment.measure_first_slots(tip, number, m_execution, records[tip]); };
+      cut_off_all(segment, find_borders(records, number_of_tips, number_of_tips, m_conditions.for_given_tips(), true, measure));
       m_observer.distances_computed(segment.distances->number_of_runs());
     }
     return std::move(m_segments);
   }
 
 private:
-  static constexpr double least_prominence = 0.01; // a diameter that grows by 1 % over 5 slots does not grow
+  // a diameter that grows by 1 % over 5 slots does not grow
+  static constexpr double least_prominence = 0.01;
 
   // A tip of a segment by its number, and its border.
   using Tip_border = std::pair<std::size_t, Inflection>;
@@ -133,9 +136,9 @@ private:
     const Stage_scope stage(m_observer, Stage::PREPARATION);
     const Nested_segments::Faces& faces = m_segments.faces(id);
     const bool is_whole = faces.size() == m_surface.number_of_faces();
-    Extracted_segment extracted = is_whole ? Extracted_segment{{}, faces, std::vector<bool>(faces.size(), false)}
-                                           : m_extract(faces);
-    return Segment_surface(id, std::move(extracted), m_surface, m_distance, m_execution);
+    return Segment_surface(
+      id, is_whole ? Extracted_segment{{}, faces, std::vector<bool>(faces.size(), false)} : m_extract(faces), m_surface,
+      m_distance, m_execution);
   }
 
   // Steps 2 to 4 in one segment; returns whether a protrusion was cut off. The records of a segment that
@@ -147,23 +150,16 @@ private:
     {
       if (!segment)
         segment.reset(new Segment_surface(make_segment(id)));
+      return segment.get();
     };
     if (m_records[id].empty())
-    {
-      need_segment();
-      select_tips(*segment, wanted);
-    }
+      select_tips(*need_segment(), wanted);
     const auto measure = [&](std::size_t tip, std::size_t number)
-    {
-      need_segment();
-      measure_first_slots(*segment, m_records[id], tip, number);
-    };
-    const std::vector<Tip_border> borders = find_borders(id, wanted, measure);
+    { need_segment()->measure_first_slots(tip, number, m_execution, m_records[id][tip]); };
+    const std::vector<Tip_border> borders = find_borders(m_records[id], m_records[id].size(), wanted,
+                                                         m_conditions, false, measure);
     if (!borders.empty())
-    {
-      need_segment();
-      cut_off_all(*segment, borders);
-    }
+      cut_off_all(*need_segment(), borders);
     if (segment)
       m_observer.distances_computed(segment->distances->number_of_runs());
     return !borders.empty();
@@ -201,25 +197,14 @@ private:
       return;
     const Stage_scope stage(m_observer, Stage::BORDERS);
     const std::size_t number = Border_range(records, records.size() - 1, conditions).slots_that_matter();
-    measure_diameters(segment.surface, distances, number, segment.section(), m_execution, records.back());
+    segment.measure(distances, number, m_execution, records.back());
   }
 
-  void measure_first_slots(Segment_surface& segment, Tip_records& records, std::size_t tip, std::size_t number) const
-  {
-    constexpr double no_bound = std::numeric_limits<double>::infinity();
-    Tip_record& record = records[tip];
-    if (record.number_of_diameters < number)
-      measure_diameters(segment.surface, segment.from(tip, record.tip, no_bound), number, segment.section(), m_execution,
-                        record);
-  }
-
-  // The records of tips that were not selected here, faces of the whole surface, and of further ones where there are
-  // few.
+  // The records of given tips, faces of the whole surface, and of further ones if they are few.
   void record_given_tips(Segment_surface& segment, const std::vector<Index>& tips)
   {
     const Stage_scope stage(m_observer, Stage::TIPS);
-    std::vector<double> to_nearest_tip(segment.surface.number_of_faces(),
-                                       (std::numeric_limits<double>::max)());
+    std::vector<double> to_nearest_tip(segment.surface.number_of_faces(), (std::numeric_limits<double>::max)());
     std::vector<double> distances;
     for (std::size_t i = 0; i < (std::max)(tips.size(), least_number_of_tips); ++i)
     {
@@ -229,58 +214,39 @@ private:
       const Index face = i < tips.size() ? segment.number_of_face(tips[i])
                                          : static_cast<Index>(farthest - to_nearest_tip.begin());
       (*segment.distances)(face, distances);
-      add_record(segment, face, distances, conditions_for_given_tips());
+      add_record(segment, face, distances, m_conditions.for_given_tips());
       for (std::size_t f = 0; f < distances.size(); ++f)
         to_nearest_tip[f] = (std::min)(to_nearest_tip[f], distances[f]);
     }
   }
 
-  // Step 3: the tips that have a border, at most `wanted`. `measure(tip, number of slots)` sees to it that the diameters of
-  // these slots are known.
+  // Step 3: the first tips that have a border, at most `wanted` of `number_of_tips`. `measure(tip, number of slots)` sees to it
+  // that the diameters of these slots are known. If `relaxes`, the conditions are relaxed for each tip until it has a border.
   template <typename Measure>
-  std::vector<Tip_border> find_borders(Index id, std::size_t wanted, Measure measure)
+  std::vector<Tip_border> find_borders(const Tip_records& records,
+                                       std::size_t number_of_tips,
+                                       std::size_t wanted,
+                                       const Border_conditions& conditions,
+                                       bool relaxes,
+                                       Measure measure)
   {
     const Stage_scope stage(m_observer, Stage::BORDERS);
     std::vector<Tip_border> borders;
-    for (std::size_t i = 0; i < m_records[id].size() && borders.size() < wanted; ++i)
+    for (std::size_t i = 0; i < number_of_tips && borders.size() < wanted; ++i)
     {
-      measure(i, Border_range(m_records[id], i, m_conditions).slots_that_matter());
-      if (const std::optional<Inflection> border = border_of_tip(m_records[id], i, m_conditions))
-        borders.push_back({i, *border});
-    }
-    return borders;
-  }
-
-  // Who picks a tip wants its protrusion: the conditions are relaxed for each tip until it has one, but no protrusion
-  // takes more than half of the segment.
-  std::vector<Tip_border> find_borders_of_given_tips(Segment_surface& segment, std::size_t number_of_tips)
-  {
-    const Stage_scope stage(m_observer, Stage::BORDERS);
-    Tip_records& records = m_records[segment.id];
-    std::vector<Tip_border> borders;
-    for (std::size_t i = 0; i < number_of_tips; ++i)
-    {
-      Border_conditions conditions = conditions_for_given_tips();
-      measure_first_slots(segment, records, i, Border_range(records, i, conditions).slots_that_matter());
-      std::optional<Inflection> border;
-      for (; !border && conditions.minimum_prominence > least_prominence; conditions.minimum_prominence /= 2)
-        border = border_of_tip(records, i, conditions);
+      measure(i, Border_range(records, i, conditions).slots_that_matter());
+      Border_conditions relaxed = conditions;
+      std::optional<Inflection> border = border_of_tip(records, i, relaxed);
+      while (relaxes && !border && (relaxed.minimum_prominence /= 2) > least_prominence)
+        border = border_of_tip(records, i, relaxed);
       if (border)
         borders.push_back({i, *border});
     }
     return borders;
   }
 
-  Border_conditions conditions_for_given_tips() const
-  {
-    Border_conditions conditions = m_conditions;
-    conditions.accepts_implausible_tips = true;
-    conditions.largest_share = 0.5;
-    return conditions;
-  }
-
-  // Step 4. A tip that lies in the protrusion of another one, or whose protrusion would be all that is left,
-  // is left out. The tips of what remains are selected anew when it is its turn.
+  // Step 4. Skips tips that lie in the protrusion of another one, or whose protrusion would take all that remains. The tips
+  // of what remains are selected anew when it is its turn.
   void cut_off_all(Segment_surface& segment, const std::vector<Tip_border>& borders)
   {
     const Stage_scope stage(m_observer, Stage::LABELS);
@@ -300,54 +266,20 @@ private:
       const Index id = static_cast<Index>(m_segments.number_of_segments());
       const double area = cut_off_protrusion(surface, labels, record.tip, is_near, id);
       if (m_observer.looks_at_protrusions())
-        measure_first_slots(segment, records, tip_border.first, number_of_slots);
-      m_segments.cut_off(segment.id, faces_with(labels, id, segment.extracted.faces));
-      report(segment, record, tip_border.second, id, area, border_length(surface, labels, id));
+        segment.measure_first_slots(tip_border.first, number_of_slots, m_execution,
+                                    records[tip_border.first]);
+      m_segments.cut_off(segment.id, faces_with_label(labels, id, segment.extracted.faces));
+      Protrusion<Index> protrusion = describe_protrusion(record, tip_border.second);
+      protrusion.segment = id;
+      protrusion.parent = segment.id;
+      protrusion.tip = segment.extracted.faces[record.tip];
+      protrusion.area = area;
+      protrusion.border_length = border_length(surface, labels, id);
+      m_observer.protrusion_found(protrusion);
       m_areas.push_back(m_segments.area(m_surface, id));
     }
     m_areas[segment.id] = m_segments.area(m_surface, segment.id);
     m_records.resize(m_segments.number_of_segments());
-  }
-
-  // Of the whole surface, for the labels of the faces of a segment.
-  static Nested_segments::Faces faces_with(const std::vector<Index>& labels, Index id, const Nested_segments::Faces& faces)
-  {
-    Nested_segments::Faces result;
-    for (Index f = 0; f < labels.size(); ++f)
-      if (labels[f] == id)
-        result.push_back(faces[f]);
-    return result;
-  }
-
-  // Whether a face of the segment is not near: the border may lie beyond all that earlier protrusions left.
-  template <typename IsNear>
-  static bool leaves_a_face(const std::vector<Index>& labels, Index id, IsNear is_near)
-  {
-    for (Index f = 0; f < labels.size(); ++f)
-      if (labels[f] == id && !is_near(f))
-        return true;
-    return false;
-  }
-
-  void report(const Segment_surface& segment,
-              const Tip_record& record,
-              const Inflection& border,
-              Index id,
-              double area,
-              double length)
-  {
-    Protrusion<Index> protrusion;
-    protrusion.segment = id;
-    protrusion.parent = segment.id;
-    protrusion.tip = segment.extracted.faces[record.tip];
-    protrusion.border_slot = border.slot;
-    protrusion.border_distance = record.histogram.slot_begin(border.slot);
-    protrusion.value = border.prominence;
-    protrusion.area = area;
-    protrusion.border_length = length;
-    protrusion.distance_histogram.assign(record.histogram.counts.begin(), record.histogram.counts.end());
-    protrusion.sectional_diameter_histogram.assign(record.diameters.begin(), record.diameters.end());
-    m_observer.protrusion_found(protrusion);
   }
 
   const Indexed_surface& m_surface;

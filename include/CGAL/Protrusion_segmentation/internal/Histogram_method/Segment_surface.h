@@ -8,11 +8,12 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/Histogram_method/plane_section.h>
+#include <CGAL/Protrusion_segmentation/internal/Histogram_method/Tip_record.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -29,7 +30,7 @@ struct Segment_surface
   Extracted_segment extracted; // without a surface if it is all of `whole`, which would be there twice
   const Indexed_surface& surface;
   std::unique_ptr<Distances_on_surface> distances; // refer to the surface
-  std::vector<std::vector<double>> from_tips;      // of the first records, for a surface that is not large
+  std::vector<std::vector<double>> from_tips; // of the first records, for a surface that is not large
 
   Segment_surface(Indexed_surface::Index id_,
                   Extracted_segment extracted_,
@@ -69,19 +70,32 @@ struct Segment_surface
     return m_from_tip;
   }
 
-  // Work arrays for sections, from the first time on that one is wanted.
-  Plane_section& section()
+  // Sees to it that the diameters of the first slots of a tip are known.
+  void measure_first_slots(std::size_t number_of_tip,
+                           std::size_t number,
+                           Execution& execution,
+                           Tip_record& record)
+  {
+    constexpr double no_bound = std::numeric_limits<double>::infinity();
+    if (record.number_of_diameters < number)
+      measure(from(number_of_tip, record.tip, no_bound), number, execution, record);
+  }
+  // The same by the distances from the tip.
+  void measure(const std::vector<double>& from_tip,
+               std::size_t number,
+               Execution& execution,
+               Tip_record& record)
   {
     if (!m_section)
       m_section.emplace(surface);
-    return *m_section;
+    measure_diameters(surface, from_tip, number, *m_section, execution, record);
   }
 
 private:
   static constexpr std::size_t most_kept_distances = std::size_t(1) << 20; // 8 MB
 
   std::vector<double> m_from_tip;
-  std::optional<Plane_section> m_section;
+  std::optional<Plane_section> m_section; // from the first time on that it is wanted
 };
 
 } // namespace internal

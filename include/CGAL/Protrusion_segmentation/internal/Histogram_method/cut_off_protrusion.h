@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -47,6 +48,31 @@ double cut_off_protrusion(const Indexed_surface& surface,
       area += surface.area(f);
     }
   return area;
+}
+
+// Whether a face with a label is not near: the border may lie beyond all that earlier protrusions left.
+template <typename IsNear>
+bool leaves_a_face(const std::vector<Indexed_surface::Index>& labels,
+                   Indexed_surface::Index label,
+                   IsNear is_near)
+{
+  for (Indexed_surface::Index f = 0; f < labels.size(); ++f)
+    if (labels[f] == label && !is_near(f))
+      return true;
+  return false;
+}
+
+// Of `faces` those with a label, where `labels` are those of `faces`.
+inline std::vector<Indexed_surface::Index> faces_with_label(
+  const std::vector<Indexed_surface::Index>& labels,
+  Indexed_surface::Index label,
+  const std::vector<Indexed_surface::Index>& faces)
+{
+  std::vector<Indexed_surface::Index> result;
+  for (std::size_t f = 0; f < labels.size(); ++f)
+    if (labels[f] == label)
+      result.push_back(faces[f]);
+  return result;
 }
 
 } // namespace internal

@@ -55,7 +55,8 @@ double largest_squared_distance_of_antipodal_pairs(const std::vector<Point>& hul
     const auto edge = hull[next(i)] - hull[i];
     for (std::size_t step = 0; step < h && determinant(edge, hull[next(j)] - hull[j]) > 0; ++step)
       j = next(j);
-    largest = (std::max)({largest, squared_distance(hull[i], hull[j]), squared_distance(hull[next(i)], hull[j])});
+    largest = (std::max)(
+      {largest, squared_distance(hull[i], hull[j]), squared_distance(hull[next(i)], hull[j])});
   }
   return largest;
 }
@@ -91,8 +92,8 @@ inline double planar_diameter(const std::vector<Indexed_surface::Point_3>& point
   double largest = 0;
   for (int axis : {0, 1})
   {
-    const auto ends = std::minmax_element(hull.begin(), hull.end(), [axis](const Point_2& p, const Point_2& q)
-                                          { return p[axis] < q[axis]; });
+    const auto ends = std::minmax_element(
+      hull.begin(), hull.end(), [axis](const Point_2& p, const Point_2& q) { return p[axis] < q[axis]; });
     largest = (std::max)(largest, squared_distance(*ends.first, *ends.second));
   }
   return std::sqrt((std::max)(largest, largest_squared_distance_of_antipodal_pairs(hull)));
@@ -108,7 +109,8 @@ public:
   using Point_3 = Indexed_surface::Point_3;
 
   explicit Plane_section(const Indexed_surface& surface)
-    : m_surface(surface), m_is_visited(surface.number_of_faces(), false)
+    : m_surface(surface),
+      m_is_visited(surface.number_of_faces(), false)
   {}
 
   // Forgets which faces were visited: to be called before the first component of each plane.

@@ -8,7 +8,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_BORDER_DISTANCES_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_BORDER_DISTANCES_H
 
-#include <CGAL/Protrusion_segmentation/internal/Metrics/face_measures.h>
+#include <CGAL/Protrusion_segmentation/internal/Metrics/face_areas.h>
 
 #include <CGAL/boost/graph/helpers.h>
 

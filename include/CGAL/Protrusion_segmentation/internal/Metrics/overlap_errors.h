@@ -9,18 +9,130 @@
 
 #include <CGAL/Protrusion_segmentation/Consistency_error.h>
 #include <CGAL/Protrusion_segmentation/Hamming_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/Metrics/Segment_overlap.h>
 
 #include <CGAL/assertions.h>
+
+#include <boost/graph/graph_traits.hpp>
+#include <boost/property_map/property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
+
+// Segment numbers 0..n-1 in the order of `faces(mesh)`; ids are numbered as they first appear, so
+// that ids with gaps, negative or huge ones are as good as any.
+template <typename FaceGraph, typename SegmentIdMap>
+std::vector<std::size_t> compact_segment_ids(const FaceGraph& mesh, const SegmentIdMap& segment_ids)
+{
+  using Id = typename boost::property_traits<SegmentIdMap>::value_type;
+
+  std::unordered_map<Id, std::size_t> number_of_id;
+  std::vector<std::size_t> numbers;
+  numbers.reserve(num_faces(mesh));
+  for (const auto f : faces(mesh))
+    numbers.push_back(number_of_id.emplace(get(segment_ids, f), number_of_id.size()).first->second);
+  return numbers;
+}
+
+// What a set of faces weighs.
+struct Count_and_area
+{
+  std::uint64_t count = 0; // number of faces
+  double area = 0;
+
+  void add(double face_area)
+  {
+    ++count;
+    area += face_area;
+  }
+};
+
+class Segment_overlap
+{
+public:
+  // The faces common to a segment of the first and one of the second segmentation; never empty.
+  struct Cell
+  {
+    std::size_t first;
+    std::size_t second;
+    Count_and_area common;
+  };
+
+  // All three ranges are in one order of the faces; segment numbers are below the number of faces.
+  // Linear in the number of faces, whatever the numbers of segments.
+  Segment_overlap(const std::vector<std::size_t>& first_numbers,
+                  const std::vector<std::size_t>& second_numbers,
+                  const std::vector<double>& face_areas)
+  {
+    CGAL_precondition(first_numbers.size() == face_areas.size());
+    CGAL_precondition(second_numbers.size() == face_areas.size());
+    for (std::size_t i = 0; i < face_areas.size(); ++i)
+    {
+      m_total.add(face_areas[i]);
+      add_to(m_first, first_numbers[i], face_areas[i]);
+      add_to(m_second, second_numbers[i], face_areas[i]);
+      cell(first_numbers[i], second_numbers[i], face_areas.size()).common.add(face_areas[i]);
+    }
+  }
+
+  const Count_and_area& total() const { return m_total; }
+  const std::vector<Count_and_area>& first_segments() const { return m_first; }
+  const std::vector<Count_and_area>& second_segments() const { return m_second; }
+  // in the order of first appearance, which makes sums over them deterministic
+  const std::vector<Cell>& cells() const { return m_cells; }
+
+private:
+  static void add_to(std::vector<Count_and_area>& segments, std::size_t number, double face_area)
+  {
+    if (number >= segments.size())
+      segments.resize(number + 1);
+    segments[number].add(face_area);
+  }
+
+  Cell& cell(std::size_t first, std::size_t second, std::size_t number_of_faces)
+  {
+    const std::uint64_t key = static_cast<std::uint64_t>(first) * number_of_faces + second;
+    const auto [position, is_new] = m_cell_of_key.emplace(key, m_cells.size());
+    if (is_new)
+      m_cells.push_back(Cell{first, second, Count_and_area()});
+    return m_cells[position->second];
+  }
+
+  Count_and_area m_total;
+  std::vector<Count_and_area> m_first;
+  std::vector<Count_and_area> m_second;
+  std::vector<Cell> m_cells;
+  std::unordered_map<std::uint64_t, std::size_t> m_cell_of_key;
+};
+
+// By the number of faces only: all areas are 0.
+template <typename FaceGraph, typename SegmentIdMap, typename ReferenceIdMap>
+Segment_overlap segment_overlap(const FaceGraph& mesh,
+                                const SegmentIdMap& segment_ids,
+                                const ReferenceIdMap& reference_ids)
+{
+  // Not `num_faces(mesh)`, which counts removed faces of a `Surface_mesh`, too.
+  const std::vector<std::size_t> numbers = compact_segment_ids(mesh, segment_ids);
+  return Segment_overlap(numbers, compact_segment_ids(mesh, reference_ids),
+                         std::vector<double>(numbers.size(), 0.));
+}
+
+// `face_areas` in the order of `faces(mesh)`.
+template <typename FaceGraph, typename SegmentIdMap, typename ReferenceIdMap>
+Segment_overlap segment_overlap(const FaceGraph& mesh,
+                                const SegmentIdMap& segment_ids,
+                                const ReferenceIdMap& reference_ids,
+                                const std::vector<double>& face_areas)
+{
+  return Segment_overlap(compact_segment_ids(mesh, segment_ids), compact_segment_ids(mesh, reference_ids),
+                         face_areas);
+}
 
 // n * (n - 1) / 2, halved before it can overflow; n - 1 may wrap for n = 0, which is multiplied by 0
 inline std::uint64_t number_of_pairs(std::uint64_t n)
@@ -28,10 +140,10 @@ inline std::uint64_t number_of_pairs(std::uint64_t n)
   return n % 2 == 0 ? n / 2 * (n - 1) : n * ((n - 1) / 2);
 }
 
-inline std::uint64_t number_of_pairs_within(const std::vector<Face_measure>& segments)
+inline std::uint64_t number_of_pairs_within(const std::vector<Count_and_area>& segments)
 {
   std::uint64_t sum = 0;
-  for (const Face_measure& segment : segments)
+  for (const Count_and_area& segment : segments)
     sum += number_of_pairs(segment.count);
   return sum;
 }
@@ -55,7 +167,7 @@ inline double rand_index_error(const Segment_overlap& overlap)
 
 // Area outside the best match of each segment, where `largest` are the areas of those matches. Rounding does not make a
 // perfect match worse than perfect: the area of a segment and that of a match with all of it are the same sum.
-inline double unmatched_rate(double area, const std::vector<Face_measure>& segments, const std::vector<double>& largest)
+inline double unmatched_rate(double area, const std::vector<Count_and_area>& segments, const std::vector<double>& largest)
 {
   double unmatched = 0;
   for (std::size_t s = 0; s < segments.size(); ++s)
@@ -112,8 +224,8 @@ inline Consistency_error consistency_error(const Segment_overlap& overlap)
   Refinement_errors by_faces, by_area;
   for (const Segment_overlap::Cell& cell : overlap.cells())
   {
-    const Face_measure& first = overlap.first_segments()[cell.first];
-    const Face_measure& second = overlap.second_segments()[cell.second];
+    const Count_and_area& first = overlap.first_segments()[cell.first];
+    const Count_and_area& second = overlap.second_segments()[cell.second];
     const double count = static_cast<double>(cell.common.count);
     by_faces.add(count, part_outside(count, static_cast<double>(first.count)),
                  part_outside(count, static_cast<double>(second.count)));

@@ -5,9 +5,9 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_EDGE_PAIRS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_EDGE_PAIRS_H
 
-#include <CGAL/Protrusion_segmentation/internal/Repair/Face_choice.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Parity_sets.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/choose_faces.h>
 
 #include <algorithm>
 #include <array>
@@ -27,10 +27,9 @@ namespace internal {
 // all faces can be oriented alike. A side goes from a corner of its face to the next one, and has the number of that
 // corner.
 //
-// Two faces that share an edge with nobody else are joined. First come those that name the same points; then, of
-// the sides without partner, those at the same places; last, where more than two sides lie on each other,
-// those that go on the most smoothly; a face with a double, as is a wall between two solids, gives way to others
-// there. A pair that contradicts the orientation of the pairs before is not joined.
+// Two faces that share an edge with no other face are joined. Sides with the same points come first; then, of the
+// sides without partner, those at the same places; last, at non-manifold edges, those with the smallest angle between the
+// faces. There, duplicate faces, as are walls between two solids, come after others. A pair that contradicts the orientation of the pairs before is not joined.
 class Edge_pairs
 {
 public:
@@ -43,7 +42,7 @@ public:
       m_faces(faces),
       m_places(places),
       m_partner(faces.polygons.number_of_corners(), none()),
-      m_is_crowded(faces.polygons.number_of_corners(), false),
+      m_is_non_manifold(faces.polygons.number_of_corners(), false),
       m_orientations(faces.polygons.size())
   {
     for (std::size_t face = 0; face < faces.polygons.size(); ++face)
@@ -52,10 +51,10 @@ public:
     std::vector<std::size_t> sides(number_of_sides());
     std::iota(sides.begin(), sides.end(), std::size_t(0));
     const std::vector<std::size_t> left =
-      join_lonely_pairs(sides, [&](std::size_t side) { return ascending(start(side), end(side)); });
-    const std::vector<std::size_t> crowded =
-      join_lonely_pairs(left, [&](std::size_t side) { return places_of_ends(side); });
-    join_smoothest(crowded);
+      join_manifold_edges(sides, [&](std::size_t side) { return ascending(start(side), end(side)); });
+    const std::vector<std::size_t> non_manifold =
+      join_manifold_edges(left, [&](std::size_t side) { return places_of_ends(side); });
+    join_smoothest(non_manifold);
   }
 
   std::size_t number_of_sides() const { return m_face.size(); }
@@ -85,8 +84,8 @@ public:
     m_partner[side] = none();
   }
 
-  // Does the side lie on more than one other?
-  bool is_crowded(std::size_t side) const { return m_is_crowded[side]; }
+  // Does the side lie at a non-manifold edge?
+  bool is_non_manifold(std::size_t side) const { return m_is_non_manifold[side]; }
 
   // Do both sides have the same direction, with the faces as they are in the soup?
   bool are_parallel(std::size_t side, std::size_t other) const
@@ -156,9 +155,9 @@ private:
   }
 
   // Joins those of `sides` that share their ends with one other side only. The others are returned, but for those
-  // that are alone; those with the same ends stand in a row.
+  // that are alone; those with the same ends follow each other.
   template <typename EndsOf>
-  std::vector<std::size_t> join_lonely_pairs(const std::vector<std::size_t>& sides, const EndsOf& ends_of)
+  std::vector<std::size_t> join_manifold_edges(const std::vector<std::size_t>& sides, const EndsOf& ends_of)
   {
     std::vector<std::pair<Two, std::size_t>> sorted;
     for (const std::size_t side : sides)
@@ -186,7 +185,7 @@ private:
     return left;
   }
 
-  // `sides` with the same ends stand in a row.
+  // `sides` with the same ends follow each other.
   void join_smoothest(const std::vector<std::size_t>& sides)
   {
     const std::vector<Vector_3> normals = sides.empty() ? std::vector<Vector_3>() : unit_normals();
@@ -201,7 +200,7 @@ private:
       const std::vector<std::size_t> edge(sides.begin() + std::ptrdiff_t(begin),
                                           sides.begin() + std::ptrdiff_t(last));
       for (const std::size_t side : edge)
-        m_is_crowded[side] = true;
+        m_is_non_manifold[side] = true;
       for (const Two& pair : by_smoothness(edge, normals))
         (are_parallel(pair[0], pair[1]) ? parallel : opposite).push_back(pair);
     }
@@ -215,16 +214,16 @@ private:
   std::vector<Two> by_smoothness(const std::vector<std::size_t>& sides,
                                  const std::vector<Vector_3>& normals) const
   {
-    const auto doubles = [&](std::size_t side) { return m_faces.has_double[m_face[side]] ? 1 : 0; };
+    const auto duplicates = [&](std::size_t side) { return m_faces.has_duplicate[m_face[side]] ? 1 : 0; };
     std::vector<std::tuple<int, double, std::size_t, std::size_t>> pairs;
     for (std::size_t i = 0; i < sides.size(); ++i)
       for (std::size_t j = i + 1; j < (std::min)(sides.size(), i + 1 + enough_candidates); ++j)
         if (m_face[sides[i]] != m_face[sides[j]])
-          pairs.emplace_back(doubles(sides[i]) + doubles(sides[j]), -smoothness(sides[i], sides[j], normals),
+          pairs.emplace_back(duplicates(sides[i]) + duplicates(sides[j]), -smoothness(sides[i], sides[j], normals),
                              sides[i], sides[j]);
     std::sort(pairs.begin(), pairs.end());
     std::vector<Two> result;
-    for (const auto& [doubled, cost, side, other] : pairs)
+    for (const auto& [number_of_duplicates, cost, side, other] : pairs)
       result.push_back({side, other});
     return result;
   }
@@ -254,7 +253,7 @@ private:
   const std::vector<std::size_t>& m_places;
   std::vector<std::size_t> m_face; // of each side
   std::vector<std::size_t> m_partner;
-  std::vector<bool> m_is_crowded;
+  std::vector<bool> m_is_non_manifold;
   Parity_sets m_orientations;
   std::size_t m_number_of_non_manifold_edges = 0;
   std::size_t m_number_of_unorientable_edges = 0;

@@ -5,7 +5,6 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_CHOOSE_FACES_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_CHOOSE_FACES_H
 
-#include <CGAL/Protrusion_segmentation/internal/Repair/Face_choice.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
 
 #include <algorithm>
@@ -23,6 +22,17 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
+// The polygons that become faces, and the faces that label those that do not.
+struct Face_choice
+{
+  std::vector<std::size_t> kept;        // polygons, ascending
+  std::vector<std::size_t> label_giver; // of each polygon: a position in `kept`
+  Polygons polygons;                    // those kept, without corners twice in a row
+  std::vector<bool> has_duplicate;         // for each kept one: is there another one with the same corners?
+  std::size_t degenerate_polygons = 0;
+  std::size_t duplicate_polygons = 0;
+};
+
 class Face_chooser
 {
 public:
@@ -34,7 +44,7 @@ public:
 
   Face_choice choose()
   {
-    find_doubles();
+    find_duplicates();
     m_choice.label_giver.assign(m_polygons.size(), none());
     for (std::size_t i = 0; i < m_polygons.size(); ++i)
       add(i);
@@ -87,8 +97,8 @@ private:
     return result;
   }
 
-  // For each polygon the first one with the same corners. Those that touch themselves are no doubles.
-  void find_doubles()
+  // For each polygon the first one with the same corners. Those that touch themselves are no duplicates.
+  void find_duplicates()
   {
     std::vector<std::pair<Corners, std::size_t>> polygons;
     for (std::size_t i = 0; i < m_polygons.size(); ++i)
@@ -98,22 +108,22 @@ private:
         polygons.emplace_back(canonical(corners), i);
     }
     std::sort(polygons.begin(), polygons.end());
-    m_has_double.assign(m_polygons.size(), false);
-    m_first_double.resize(m_polygons.size());
-    std::iota(m_first_double.begin(), m_first_double.end(), std::size_t(0));
+    m_has_duplicate.assign(m_polygons.size(), false);
+    m_first_duplicate.resize(m_polygons.size());
+    std::iota(m_first_duplicate.begin(), m_first_duplicate.end(), std::size_t(0));
     for (std::size_t i = 1; i < polygons.size(); ++i)
       if (polygons[i].first == polygons[i - 1].first)
       {
-        const std::size_t first = m_first_double[polygons[i - 1].second];
-        m_first_double[polygons[i].second] = first;
-        m_has_double[first] = true;
+        const std::size_t first = m_first_duplicate[polygons[i - 1].second];
+        m_first_duplicate[polygons[i].second] = first;
+        m_has_duplicate[first] = true;
       }
   }
 
   void add(std::size_t polygon)
   {
     const Corners corners = without_repetitions(polygon);
-    const std::size_t first = m_first_double[polygon];
+    const std::size_t first = m_first_duplicate[polygon];
     // A triangle that comes back to a corner has no area; a polygon may have some.
     if (number_of_different(corners) < 3)
       ++m_choice.degenerate_polygons;
@@ -127,7 +137,7 @@ private:
       m_choice.label_giver[polygon] = m_choice.kept.size();
       m_choice.kept.push_back(polygon);
       m_choice.polygons.add(corners);
-      m_choice.has_double.push_back(m_has_double[polygon]);
+      m_choice.has_duplicate.push_back(m_has_duplicate[polygon]);
     }
   }
 
@@ -178,8 +188,8 @@ private:
   const Polygons& m_polygons;
   const std::vector<std::size_t>& m_places;
   const std::vector<bool>& m_is_left_out;
-  std::vector<std::size_t> m_first_double;
-  std::vector<bool> m_has_double;
+  std::vector<std::size_t> m_first_duplicate;
+  std::vector<bool> m_has_duplicate;
   // at the places of polygons that want a label
   std::unordered_map<std::size_t, std::vector<std::size_t>> m_faces_at;
   Face_choice m_choice;

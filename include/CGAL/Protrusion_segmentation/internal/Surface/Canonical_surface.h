@@ -6,7 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CANONICAL_SURFACE_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Rest_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Surface_without_small_components.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 #include <CGAL/Protrusion_segmentation/internal/inline.h>
 
@@ -26,9 +26,9 @@ public:
 
   // Of a connected surface.
   explicit Canonical_surface(Surface_arrays arrays, bool is_parallel = false);
-  // Of a whole mesh; of several components in its coordinates, since they have no frame in common. A face on a speck is, for
-  // tips and values, the face that stands for it.
-  explicit Canonical_surface(Rest_of_surface rest, bool is_parallel = false);
+  // Of a whole mesh; of several components in its coordinates, since they have no frame in common. For tips
+  // and values, a face of a small component is the nearest face of the others.
+  explicit Canonical_surface(Surface_without_small_components rest, bool is_parallel = false);
 
   const Indexed_surface& surface() const { return m_surface; }
   // what turns lengths of the surface into those of what it was made of
@@ -70,7 +70,7 @@ private:
 
   double m_unit;
   std::vector<Index> m_position;
-  std::vector<Index> m_face_at; // of every face of the mesh, if there are specks
+  std::vector<Index> m_face_at; // of every face of the mesh, if there are small components
   Indexed_surface m_surface;
 };
 

@@ -37,13 +37,13 @@ public:
   // `a` is alone again. None that is used afterwards may be in its set.
   void make_set(Index a) { sets().make_set(a); }
   void union_set(Index a, Index b) { sets().union_set(a, b); }
-  // The same for two numbers that stand for their sets. Returns the one that stands for both.
+  // The same for two representatives. Returns that of both.
   Index link(Index a, Index b)
   {
     sets().link(a, b);
     return find_set(a);
   }
-  // the number that stands for the set of `a`
+  // the representative of the set of `a`
   Index find_set(Index a) { return sets().find_set(a); }
 
 private:

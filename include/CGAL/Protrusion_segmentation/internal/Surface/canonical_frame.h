@@ -10,18 +10,55 @@
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/principal_axes.h>
 
+#include <CGAL/double.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
+
+using Matrix_3 = std::array<std::array<double, 3>, 3>;
+
+// The eigenvectors of a symmetric matrix as rows, in the order of descending eigenvalues, by Jacobi's rotations. The
+// default method needs no library for linear algebra, and gets the same digits with every one.
+inline Matrix_3 principal_axes(Matrix_3 m)
+{
+  constexpr int number_of_sweeps = 8; // convergence is quadratic: five reach the last digit
+  Matrix_3 axes = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  using Pair = std::pair<std::size_t, std::size_t>;
+  for (int sweep = 0; sweep < number_of_sweeps; ++sweep)
+    for (const auto& [p, q] : {Pair(0, 1), Pair(0, 2), Pair(1, 2)})
+    {
+      if (m[p][q] == 0)
+        continue;
+      const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
+      const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(CGAL::square(theta) + 1));
+      const double c = 1 / std::sqrt(CGAL::square(t) + 1), s = t * c;
+      const auto rotate = [c = c, s = s](double& x, double& y)
+      {
+        const double old = x;
+        x = c * old - s * y;
+        y = s * old + c * y;
+      };
+      for (std::size_t i = 0; i < 3; ++i)
+        rotate(m[p][i], m[q][i]);
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        rotate(m[i][p], m[i][q]);
+        rotate(axes[p][i], axes[q][i]);
+      }
+    }
+  std::array<std::pair<double, std::size_t>, 3> order = {{{-m[0][0], 0}, {-m[1][1], 1}, {-m[2][2], 2}}};
+  std::sort(order.begin(), order.end());
+  return {axes[order[0].second], axes[order[1].second], axes[order[2].second]};
+}
 
 // A sum that keeps what each addition rounds off: as good as one with twice the digits, so that the order of its terms
 // does not show.
@@ -70,7 +107,9 @@ public:
   using Vector_3 = Indexed_surface::Vector_3;
 
   // All coordinates of the surface are in [-1, 1].
-  Canonical_frame(const Surface_arrays& surface, bool is_parallel) : m_surface(surface), m_is_parallel(is_parallel)
+  Canonical_frame(const Surface_arrays& surface, bool is_parallel)
+    : m_surface(surface),
+      m_is_parallel(is_parallel)
   {
     m_axes = principal_axes(find_centre_and_covariance());
     direct_axes();
@@ -79,7 +118,8 @@ public:
   Point_3 operator()(const Point_3& point) const
   {
     const Vector_3 v = point - m_centre;
-    const auto along = [&v](const Triple& axis) { return axis[0] * v.x() + axis[1] * v.y() + axis[2] * v.z(); };
+    const auto along = [&v](const Triple& axis)
+    { return axis[0] * v.x() + axis[1] * v.y() + axis[2] * v.z(); };
     return {along(m_axes[0]), along(m_axes[1]), along(m_axes[2])};
   }
 
@@ -98,17 +138,12 @@ private:
   template <std::size_t N, typename Add>
   Compensated_sums<N> sums_over_faces(Add add) const
   {
-    return add_blocks(m_surface.number_of_faces(), m_is_parallel, Compensated_sums<N>(),
-                      [&](std::size_t begin, std::size_t end)
-                      {
-                        Compensated_sums<N> sums;
-                        for (std::size_t f = begin; f < end; ++f)
-                        {
-                          const Corners corners{m_surface, static_cast<Index>(f)};
-                          add(corners, measure_polygon(corners), sums);
-                        }
-                        return sums;
-                      });
+    return add_numbers(m_surface.number_of_faces(), m_is_parallel, Compensated_sums<N>(),
+                       [&](Compensated_sums<N>& sums, Index f)
+                       {
+                         const Corners corners{m_surface, f};
+                         add(corners, measure_polygon(corners), sums);
+                       });
   }
 
   // The covariance is that of all points of the surface, whatever its triangles: over a triangle, the mean of a square
@@ -177,7 +212,8 @@ private:
 
   static double largest_component(const Triple& axis)
   {
-    return *std::max_element(axis.begin(), axis.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
+    return *std::max_element(axis.begin(), axis.end(),
+                             [](double x, double y) { return std::abs(x) < std::abs(y); });
   }
 
   const Surface_arrays& m_surface;
@@ -189,27 +225,25 @@ private:
 // Starts every face at its lexicographically smallest point, after it has been turned over if `reversed`.
 inline void start_faces_canonically(Surface_arrays& surface, bool reversed, bool is_parallel)
 {
-  for_each_block(surface.number_of_faces(), is_parallel,
-                 [&](std::size_t begin, std::size_t end, std::size_t)
-                 {
-                   for (std::size_t f = begin; f < end; ++f)
-                   {
-                     const auto vertices = surface.corner_vertices.begin() + surface.corner_begin[f];
-                     const auto neighbors = surface.corner_neighbors.begin() + surface.corner_begin[f];
-                     const auto size = surface.corner_begin[f + 1] - surface.corner_begin[f];
-                     if (reversed)
-                     {
-                       std::reverse(vertices + 1, vertices + size);
-                       std::reverse(neighbors, neighbors + size);
-                     }
-                     const auto first = std::min_element(vertices, vertices + size,
-                                                         [&surface](Indexed_surface::Index u, Indexed_surface::Index v)
-                                                         { return surface.points[u] < surface.points[v]; }) -
-                                        vertices;
-                     std::rotate(vertices, vertices + first, vertices + size);
-                     std::rotate(neighbors, neighbors + first, neighbors + size);
-                   }
-                 });
+  for_each_number(surface.number_of_faces(), is_parallel,
+                  [&](Indexed_surface::Index f)
+                  {
+                    const auto vertices = surface.corner_vertices.begin() + surface.corner_begin[f];
+                    const auto neighbors = surface.corner_neighbors.begin() + surface.corner_begin[f];
+                    const auto size = surface.corner_begin[f + 1] - surface.corner_begin[f];
+                    if (reversed)
+                    {
+                      std::reverse(vertices + 1, vertices + size);
+                      std::reverse(neighbors, neighbors + size);
+                    }
+                    const auto first = std::min_element(
+                                         vertices, vertices + size,
+                                         [&surface](Indexed_surface::Index u, Indexed_surface::Index v)
+                                         { return surface.points[u] < surface.points[v]; }) -
+                                       vertices;
+                    std::rotate(vertices, vertices + first, vertices + size);
+                    std::rotate(neighbors, neighbors + first, neighbors + size);
+                  });
 }
 
 // Moves the points of a connected surface to its canonical frame, scaled to [-1, 1]^3 and rounded to multiples of a

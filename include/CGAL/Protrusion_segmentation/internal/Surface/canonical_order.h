@@ -39,7 +39,8 @@ inline std::uint64_t z_order(const Indexed_surface::Point_3& p)
   return spread_bits(cell(p.x())) | spread_bits(cell(p.y())) << 1 | spread_bits(cell(p.z())) << 2;
 }
 
-inline Indexed_surface::Point_3 mean_of_corners(const Surface_arrays& surface, Indexed_surface::Index face)
+inline Indexed_surface::Point_3 mean_of_corners(const Surface_arrays& surface,
+                                                Indexed_surface::Index face)
 {
   const Indexed_surface::Index first = surface.first_corner(face), end = surface.first_corner(face + 1);
   const Indexed_surface::Point_3& origin = surface.point(surface.vertex(first));
@@ -52,20 +53,16 @@ inline Indexed_surface::Point_3 mean_of_corners(const Surface_arrays& surface, I
 // The faces in the order of their centres on the Z-order curve. The stages work in this order, so that a tie
 // is decided by where a face is and not by its place in a file, sums are rounded alike, and neighbours on the
 // surface are near in memory. Only faces with the same centre stay in the order of the mesh.
-inline std::vector<Indexed_surface::Index> canonical_order(const Surface_arrays& surface, bool is_parallel = false)
+inline std::vector<Indexed_surface::Index> canonical_order(const Surface_arrays& surface,
+                                                           bool is_parallel = false)
 {
   using Index = Indexed_surface::Index;
   using Place = std::pair<std::uint64_t, Index>;
   std::vector<Place> places(surface.number_of_faces());
-  for_each_block(places.size(), is_parallel,
-                 [&](std::size_t begin, std::size_t end, std::size_t)
-                 {
-                   for (std::size_t i = begin; i < end; ++i)
-                   {
-                     const Index f = static_cast<Index>(i);
-                     places[i] = {z_order(mean_of_corners(surface, f)), f};
-                   }
-                 });
+  for_each_number(places.size(), is_parallel,
+                  [&](Index f) {
+                    places[f] = {z_order(mean_of_corners(surface, f)), f};
+                  });
   const auto less = [&surface](const Place& a, const Place& b)
   {
     if (a.first != b.first)
@@ -74,7 +71,8 @@ inline std::vector<Indexed_surface::Index> canonical_order(const Surface_arrays&
     const Indexed_surface::Point_3 q = mean_of_corners(surface, b.second);
     return p != q ? p < q : a.second < b.second;
   };
-  sort_different(places, is_parallel, less, [&less](auto begin, auto end) { std::sort(begin, end, less); });
+  sort_different(places, is_parallel, less,
+                 [&less](auto begin, auto end) { std::sort(begin, end, less); });
   std::vector<Index> order;
   order.reserve(places.size());
   for (const Place& place : places)

@@ -46,8 +46,8 @@ std::vector<Indexed_surface::Index> connected_faces(const Surface& surface,
 // The connected component of every face, numbered in the order of their first faces, where neighbours are connected for
 // which `are_joined(f, g)` holds. `Surface` is `Indexed_surface` or its arrays.
 //
-// Sets that their lowest face stands for, which gives the numbers at once. With a million faces a walk over the surface,
-// in no order that memory likes, takes twice as long, and `Disjoint_sets`, which keep ranks, half as long again.
+// The representative of a set is its lowest face, so that numbers need no further pass. With a million faces a walk over the
+// surface takes twice as long, and `Disjoint_sets`, which keep ranks, 1.5 times as long.
 template <typename Surface, typename AreJoined>
 std::vector<Indexed_surface::Index> components_of_faces(const Surface& surface, AreJoined are_joined)
 {

@@ -53,7 +53,8 @@ private:
   {
     result.corner_begin.reserve(faces.size() + 1);
     for (Index f : faces)
-      result.corner_begin.push_back(result.corner_begin.back() + m_surface.first_corner(f + 1) - m_surface.first_corner(f));
+      result.corner_begin.push_back(result.corner_begin.back() + m_surface.first_corner(f + 1) -
+                                    m_surface.first_corner(f));
   }
 
   // Calls `visit(corner, old)` for every corner of the result, `old` in the surface; if parallel, several threads do so.
@@ -65,7 +66,8 @@ private:
                    {
                      Index corner = result.corner_begin[begin];
                      for (std::size_t i = begin; i < end; ++i)
-                       for (Index c = m_surface.first_corner(faces[i]); c < m_surface.first_corner(faces[i] + 1); ++c)
+                       for (Index c = m_surface.first_corner(faces[i]);
+                            c < m_surface.first_corner(faces[i] + 1); ++c)
                          visit(corner++, c);
                    });
   }
@@ -73,10 +75,12 @@ private:
   void select_neighbors(const std::vector<Index>& faces, Surface_arrays& result) const
   {
     result.corner_neighbors.resize(result.corner_begin.back());
-    for_each_corner(faces, result, [&](Index corner, Index old)
+    for_each_corner(faces, result,
+                    [&](Index corner, Index old)
                     {
                       const Index g = m_surface.neighbor(old);
-                      result.corner_neighbors[corner] = g == Indexed_surface::no_face() ? g : m_new_face[g];
+                      result.corner_neighbors[corner] = g == Indexed_surface::no_face() ? g
+                                                                                        : m_new_face[g];
                     });
   }
 
@@ -84,7 +88,8 @@ private:
   {
     result.corner_vertices.resize(result.corner_begin.back());
     for_each_corner(faces, result,
-                    [&](Index corner, Index old) { result.corner_vertices[corner] = m_surface.vertex(old); });
+                    [&](Index corner, Index old)
+                    { result.corner_vertices[corner] = m_surface.vertex(old); });
     std::vector<Index> vertices; // of the surface, in the order of the points
     for (Index& v : result.corner_vertices)
     {
@@ -96,12 +101,8 @@ private:
       v = m_new_vertex[v];
     }
     result.points.resize(vertices.size());
-    for_each_block(vertices.size(), m_is_parallel,
-                   [&](std::size_t begin, std::size_t end, std::size_t)
-                   {
-                     for (std::size_t i = begin; i < end; ++i)
-                       result.points[i] = m_surface.point(vertices[i]);
-                   });
+    for_each_number(vertices.size(), m_is_parallel,
+                    [&](Index i) { result.points[i] = m_surface.point(vertices[i]); });
     for (Index v : vertices)
       m_new_vertex[v] = none;
   }
@@ -116,8 +117,9 @@ private:
 struct Extracted_segment
 {
   Indexed_surface surface;
-  std::vector<Indexed_surface::Index> faces; // the face of the whole surface for every face of the segment
-  std::vector<bool> is_on_cut;               // whether a face of the segment lost a neighbour
+  std::vector<Indexed_surface::Index>
+    faces;                     // the face of the whole surface for every face of the segment
+  std::vector<bool> is_on_cut; // whether a face of the segment lost a neighbour
 };
 
 // Cuts segments out of a surface.
@@ -127,7 +129,9 @@ public:
   using Index = Indexed_surface::Index;
 
   explicit Segment_extractor(const Indexed_surface& surface, bool is_parallel = false)
-    : m_surface(surface), m_is_parallel(is_parallel), m_select(surface, is_parallel)
+    : m_surface(surface),
+      m_is_parallel(is_parallel),
+      m_select(surface, is_parallel)
   {}
 
   // The segment with the given faces, numbered in the given order.
@@ -139,7 +143,8 @@ public:
     {
       Index old = m_surface.first_corner(faces[i]);
       for (Index c = arrays.first_corner(i); c < arrays.first_corner(i + 1); ++c, ++old)
-        if (arrays.neighbor(c) != m_surface.neighbor(old) && arrays.neighbor(c) == Indexed_surface::no_face())
+        if (arrays.neighbor(c) != m_surface.neighbor(old) &&
+            arrays.neighbor(c) == Indexed_surface::no_face())
           is_on_cut[i] = true;
     }
     return {std::move(arrays).to_surface(m_is_parallel), std::move(faces), std::move(is_on_cut)};

@@ -26,21 +26,21 @@ Canonical_surface::Canonical_surface(Surface_arrays arrays, bool is_parallel)
 }
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE
-Canonical_surface::Canonical_surface(Rest_of_surface rest, bool is_parallel)
+Canonical_surface::Canonical_surface(Surface_without_small_components rest, bool is_parallel)
   : m_unit(rest.is_connected ? move_to_canonical_frame(rest.arrays, is_parallel)
                              : normalize(rest.arrays.points)),
     m_position(canonical_order(rest.arrays, is_parallel))
 {
   take_in_order(rest.arrays, is_parallel);
-  if (rest.stand_ins.empty())
+  if (rest.nearest_faces.empty())
     return;
   std::vector<Index> face(m_position.size()); // of the rest
   for (Index f = 0; f < m_position.size(); ++f)
     face[m_position[f]] = f;
   for (Index& position : m_position)
     position = rest.faces[position];
-  for (Index stand_in : rest.stand_ins)
-    m_face_at.push_back(face[stand_in]);
+  for (Index nearest_face : rest.nearest_faces)
+    m_face_at.push_back(face[nearest_face]);
 }
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Specks: connected components so small beside the largest one that they are noise, as dust of a scanner. They get no
-// segments of their own, and all others are segmented as if there were none.
+// Small components: connected components so small beside the largest one that they are noise, as dust of a scanner. They
+// get no segments of their own, and all others are segmented as if there were none.
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_SMALL_COMPONENTS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_SMALL_COMPONENTS_H
@@ -21,19 +21,32 @@ namespace CGAL {
 namespace Protrusion_segmentation {
 namespace internal {
 
-// A speck has less of the area of the largest component, and fewer faces than that: less than half of the least protrusion,
-// which has .0025 of its component. A figure on a large floor of few faces is none.
-constexpr double area_share_of_speck = 0.001;
+// A small component has less of the area of the largest component, and fewer faces than that: less than half of the least
+// protrusion, which has .0025 of its component. A figure on a large floor of few faces is not small.
+constexpr double area_share_of_small_component = 0.001;
+
+// For every component whether it is small.
+inline std::vector<bool> small_components(const std::vector<double>& areas,
+                                          const std::vector<std::size_t>& face_counts)
+{
+  const std::size_t largest = std::size_t(std::max_element(areas.begin(), areas.end()) - areas.begin());
+  std::vector<bool> result;
+  for (std::size_t c = 0; c < areas.size(); ++c)
+    result.push_back(areas[c] < area_share_of_small_component * areas[largest] &&
+                     face_counts[c] < face_counts[largest]);
+  return result;
+}
 
 // Areas and centroids of faces, in a unit in which squares of areas neither overflow nor vanish: a power of two, which
 // changes no digit.
-class Face_measures
+class Scaled_faces
 {
 public:
   using Index = Indexed_surface::Index;
 
-  explicit Face_measures(const Surface_arrays& surface)
-    : m_surface(surface), m_exponent(exponent_of_largest_coordinate(surface.points))
+  explicit Scaled_faces(const Surface_arrays& surface)
+    : m_surface(surface),
+      m_exponent(exponent_of_largest_coordinate(surface.points))
   {}
 
   Polygon_measures operator()(Index face)
@@ -50,16 +63,16 @@ private:
   std::vector<Indexed_surface::Point_3> m_corners;
 };
 
-// For every component whether it is a speck.
-inline std::vector<bool> specks_among(const Surface_arrays& surface,
-                                      const std::vector<Indexed_surface::Index>& components)
+// The same for the components of a surface, by the component of every face.
+inline std::vector<bool> small_components(const Surface_arrays& surface,
+                                          const std::vector<Indexed_surface::Index>& components)
 {
-  if (components.empty())
-    return {};
-  const std::size_t number = std::size_t(*std::max_element(components.begin(), components.end())) + 1;
-  if (number == 1)
-    return {false};
-  Face_measures measure(surface);
+  const std::size_t number = components.empty()
+                               ? 0
+                               : *std::max_element(components.begin(), components.end()) + std::size_t(1);
+  if (number < 2)
+    return std::vector<bool>(number, false);
+  Scaled_faces measure(surface);
   std::vector<double> areas(number, 0);
   std::vector<std::size_t> face_counts(number, 0);
   for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
@@ -67,11 +80,7 @@ inline std::vector<bool> specks_among(const Surface_arrays& surface,
     areas[components[f]] += measure(f).area;
     ++face_counts[components[f]];
   }
-  const std::size_t largest = std::size_t(std::max_element(areas.begin(), areas.end()) - areas.begin());
-  std::vector<bool> result;
-  for (std::size_t c = 0; c < number; ++c)
-    result.push_back(areas[c] < area_share_of_speck * areas[largest] && face_counts[c] < face_counts[largest]);
-  return result;
+  return small_components(areas, face_counts);
 }
 
 } // namespace internal

@@ -11,7 +11,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Tips/distinct_tips.h>
+#include <CGAL/Protrusion_segmentation/internal/Tips/select_protrusion_tips.h>
 
 #include <algorithm>
 #include <cstddef>

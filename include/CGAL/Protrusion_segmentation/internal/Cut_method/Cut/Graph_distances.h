@@ -82,7 +82,7 @@ private:
     Arc_lengths lengths;
     for (Index i = 0; i < graph.number_of_nodes(); ++i)
       lengths.add_vertex(graph.arcs(i) | boost::adaptors::transformed(graph.seam_lengths()));
-    return Ring::for_all(lengths);
+    return Ring(lengths);
   }
 
   // The nodes that were scanned in a bucket, whose distances are final, each once.

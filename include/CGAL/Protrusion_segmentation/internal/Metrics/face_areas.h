@@ -5,8 +5,8 @@
 // Areas of the faces of a polygon mesh and its average radius, in double. All metrics are ratios, so that lengths and
 // areas are in a unit in which they can be squared.
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_FACE_MEASURES_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_FACE_MEASURES_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_FACE_AREAS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_FACE_AREAS_H
 
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
@@ -150,4 +150,4 @@ inline double average_radius(const std::vector<Polygon_measures>& faces)
 } // namespace Protrusion_segmentation
 } // namespace CGAL
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_FACE_MEASURES_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_FACE_AREAS_H

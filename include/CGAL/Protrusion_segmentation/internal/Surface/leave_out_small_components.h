@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_LEAVE_OUT_SPECKS_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_LEAVE_OUT_SPECKS_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_LEAVE_OUT_SMALL_COMPONENTS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_LEAVE_OUT_SMALL_COMPONENTS_H
 
-#include <CGAL/Protrusion_segmentation/internal/Surface/Rest_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Surface_without_small_components.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/small_components.h>
@@ -32,7 +32,7 @@ class Nearest_face
 public:
   using Index = Indexed_surface::Index;
 
-  Nearest_face(const std::vector<Index>& faces, Face_measures& measure)
+  Nearest_face(const std::vector<Index>& faces, Scaled_faces& measure)
   {
     for (Index i = 0; i < faces.size(); ++i)
       m_centroids.emplace_back(measure(faces[i]).centroid, i);
@@ -61,37 +61,39 @@ private:
   Search::Tree m_tree;
 };
 
-CGAL_PROTRUSION_SEGMENTATION_INLINE Rest_of_surface leave_out_specks(Surface_arrays surface)
+CGAL_PROTRUSION_SEGMENTATION_INLINE Surface_without_small_components
+leave_out_small_components(Surface_arrays surface)
 {
   using Index = Indexed_surface::Index;
-  Rest_of_surface result;
+  Surface_without_small_components result;
   const std::vector<Index> component = components_of_faces(surface);
-  const std::vector<bool> is_speck = specks_among(surface, component);
-  result.number_of_specks = std::size_t(std::count(is_speck.begin(), is_speck.end(), true));
-  result.is_connected = is_speck.size() == result.number_of_specks + 1;
-  if (result.number_of_specks == 0)
+  const std::vector<bool> is_small = small_components(surface, component);
+  result.number_of_small_components = std::size_t(std::count(is_small.begin(), is_small.end(), true));
+  result.is_connected = is_small.size() == result.number_of_small_components + 1;
+  if (result.number_of_small_components == 0)
   {
     result.arrays = std::move(surface);
     return result;
   }
-  result.stand_ins.resize(component.size());
+  result.nearest_faces.resize(component.size());
   for (Index f = 0; f < component.size(); ++f)
-    if (!is_speck[component[f]])
+    if (!is_small[component[f]])
     {
-      result.stand_ins[f] = static_cast<Index>(result.faces.size());
+      result.nearest_faces[f] = static_cast<Index>(result.faces.size());
       result.faces.push_back(f);
     }
 
-  Face_measures measure(surface);
+  Scaled_faces measure(surface);
   const Nearest_face nearest(result.faces, measure);
-  const Nearest_face::Found none((std::numeric_limits<double>::infinity)(), Indexed_surface::Point_3(0, 0, 0), Index(0));
-  std::vector<Nearest_face::Found> found(is_speck.size(), none); // for every speck
+  const Nearest_face::Found none((std::numeric_limits<double>::infinity)(),
+                                 Indexed_surface::Point_3(0, 0, 0), Index(0));
+  std::vector<Nearest_face::Found> found(is_small.size(), none); // for every small component
   for (Index f = 0; f < component.size(); ++f)
-    if (is_speck[component[f]])
+    if (is_small[component[f]])
       found[component[f]] = (std::min)(found[component[f]], nearest(measure(f).centroid));
   for (Index f = 0; f < component.size(); ++f)
-    if (is_speck[component[f]])
-      result.stand_ins[f] = std::get<Index>(found[component[f]]);
+    if (is_small[component[f]])
+      result.nearest_faces[f] = std::get<Index>(found[component[f]]);
   result.arrays = Face_selector<Surface_arrays>(surface)(result.faces);
   return result;
 }
@@ -100,4 +102,4 @@ CGAL_PROTRUSION_SEGMENTATION_INLINE Rest_of_surface leave_out_specks(Surface_arr
 } // namespace Protrusion_segmentation
 } // namespace CGAL
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_LEAVE_OUT_SPECKS_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_LEAVE_OUT_SMALL_COMPONENTS_H
