@@ -5,91 +5,21 @@
 // The clues of cuts through boxes, cylinders, dumbbells and tori, where they are known.
 
 #include "check.h"
-#include "dual_graphs.h"
+#include "cut_mesh.h"
 #include "test_meshes.h"
-
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Bisection.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_clues.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 using internal::Cut_clues;
-using internal::Nodes;
 
 // Lengths are stored in single precision.
 constexpr double precision = 1e-5;
 // Diffused normals are solved for to four digits.
 constexpr double precision_of_costs = 1e-3;
-
-// A mesh whose faces are the nodes of the graph, and segments, all faces in segment 0 at first.
-class Cut_mesh
-{
-public:
-  explicit Cut_mesh(const Test_mesh& mesh)
-    : m_mesh(mesh),
-      m_graph(volume_graph(to_surface(mesh))),
-      m_segments(mesh.faces.size(), 0)
-  {}
-
-  // The faces whose centroid is in a region become segment 1.
-  template <typename Region>
-  void cut_off(Region region)
-  {
-    for (const Index f : faces_in(0, region))
-      m_segments[f] = 1;
-  }
-
-  // Of the cut of segment 0 around the faces whose centroid is in a region.
-  template <typename Region>
-  Cut_clues clues(Region region) const
-  {
-    return clues_of_faces(faces_in(0, region));
-  }
-
-  Cut_clues clues_of_part(std::size_t part) const
-  {
-    Nodes inner;
-    for (Index f = 0; f < m_segments.size(); ++f)
-      if (m_mesh.parts[f] == part)
-        inner.push_back(f);
-    return clues_of_faces(inner);
-  }
-
-private:
-  Cut_clues clues_of_faces(const Nodes& inner) const
-  {
-    const Nodes nodes = faces_in(0, [](const Point&) { return true; });
-    CHECK(!inner.empty() && inner.size() < nodes.size());
-    const internal::Segment segment = {nodes, m_graph.area_of(nodes)};
-    internal::Graph_partition partition(m_graph);
-    internal::Bisection bisection(partition, segment);
-    bisection.set_side(inner);
-    internal::Graph_distances distances(m_graph);
-    internal::Strip_measurer strips(m_graph, distances);
-    return internal::Clues_of_cut(m_graph, bisection)(strips);
-  }
-
-  template <typename Region>
-  Nodes faces_in(Index segment, Region region) const
-  {
-    Nodes result;
-    for (Index f = 0; f < m_segments.size(); ++f)
-      if (m_segments[f] == segment && region(centroid(m_mesh, m_mesh.faces[f])))
-        result.push_back(f);
-    return result;
-  }
-
-  Test_mesh m_mesh;
-  Volume_graph m_graph;
-  std::vector<Index> m_segments;
-};
 
 auto below(std::size_t axis, double value)
 {
@@ -338,36 +268,8 @@ void scale_position_and_orientation_do_not_matter()
   }
 }
 
-// Flat pieces count for less, and so do cuts without a shoulder, such as those through a trunk; both within limits.
-void clues_have_limits()
-{
-  const auto log_odds = [](double shoulder, double flatness, double length)
-  {
-    Cut_clues clues = {};
-    clues.larger_shoulder = shoulder;
-    clues.flatness = flatness;
-    clues.relative_length = length;
-    return default_options().weights(clues);
-  };
-  const double usual = log_odds(0.2, 0.5, 0.5);
-  CHECK(log_odds(0.3, 0.5, 0.5) > usual && log_odds(0.1, 0.5, 0.5) < usual);
-  CHECK_EQUAL(log_odds(0.9, 0.5, 0.5), log_odds(0.3, 0.5, 0.5));
-  CHECK_EQUAL(log_odds(-1, 0.5, 0.5), log_odds(0.1, 0.5, 0.5));
-  CHECK_EQUAL(log_odds(0.2, 0.1, 0.5), usual);
-  double last = log_odds(0.2, 0.6, 0.5);
-  CHECK_EQUAL(last, usual);
-  for (const double flatness : {0.7, 0.8, 0.9, 1.})
-  {
-    CHECK(log_odds(0.2, flatness, 0.5) < last);
-    last = log_odds(0.2, flatness, 0.5);
-  }
-  CHECK(log_odds(0.2, 0.5, 1) < usual && log_odds(0.2, 0.5, 0) > usual);
-  CHECK_EQUAL(log_odds(0.2, 0.5, -2), log_odds(0.2, 0.5, -0.3));
-}
-
 int main()
 {
-  clues_have_limits();
   a_straight_bar(10, 2, 2);
   a_straight_bar(40, 3, 3);
   a_straight_bar(30, 8, 1);

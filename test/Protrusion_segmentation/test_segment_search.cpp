@@ -96,7 +96,8 @@ void cuts_are_valid(const Test_mesh& mesh)
   const internal::Volume_graph& graph = of_mesh.graphs.coarse;
   internal::Graph_partition partition(graph);
   std::vector<Nodes> sides;
-  for (const Cut& cut : of_mesh.search({&of_mesh.whole}).front())
+  const std::vector<Cut> cuts = of_mesh.search({&of_mesh.whole}).front();
+  for (const Cut& cut : cuts)
   {
     const Nodes outer = internal::other_side(of_mesh.whole, cut.inner);
     CHECK(!cut.inner.empty() && !outer.empty());
