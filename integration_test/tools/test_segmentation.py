@@ -3,8 +3,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Numbers of segments, distances, and that two calls do the same."""
 
-import re
-
 import pytest
 
 from tool import names_in
@@ -92,9 +90,9 @@ def test_more_segments_than_faces(segment, tetrahedron, tmp_path):
 
 
 def test_no_protrusion(segment, tetrahedron):
-    note = "found no (evident )?protrusion"
-    assert re.search(note, segment(tetrahedron).err)
-    assert re.match(note, segment.record(tetrahedron)["note"])
+    note = "found no protrusion"
+    assert note in segment(tetrahedron).err
+    assert segment.record(tetrahedron)["note"].startswith(note)
 
 
 @pytest.mark.parametrize("unit, area", [("e100", 6e200), ("e-100", 6e-200)])
