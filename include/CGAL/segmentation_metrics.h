@@ -18,8 +18,7 @@
 
 #include <optional>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationMetrics
@@ -267,7 +266,6 @@ Segmentation_metrics segmentation_metrics(const FaceGraph& pmesh,
   return result;
 }
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_SEGMENTATION_METRICS_H

@@ -5,8 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_CONSISTENCY_ERROR_H
 #define CGAL_PROTRUSION_SEGMENTATION_CONSISTENCY_ERROR_H
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationMetrics
@@ -26,7 +25,6 @@ struct Consistency_error
   double local_by_area = 0;
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_CONSISTENCY_ERROR_H

@@ -19,8 +19,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationDistances
@@ -129,16 +128,14 @@ private:
   double m_time;
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES)
 
 #include <CGAL/Protrusion_segmentation/internal/Distances/Largest_sum/largest_distance_sum.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/diffusion_map.h>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE
 Diffusion_distance::On_surface::On_surface(const Indexed_surface& surface,
@@ -172,8 +169,7 @@ Diffusion_distance::On_surface::face_of_largest_sum()
   return internal::largest_distance_sum(m_surface, *this, m_execution);
 }
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif
 
@@ -183,8 +179,7 @@ Diffusion_distance::On_surface::face_of_largest_sum()
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 template <typename Spectra = Default>
 class Diffusion_distance
@@ -199,8 +194,7 @@ public:
   }
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_EIGEN3_ENABLED and Spectra
 

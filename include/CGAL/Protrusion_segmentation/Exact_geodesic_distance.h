@@ -19,8 +19,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationDistances
@@ -109,8 +108,7 @@ public:
   }
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES)
 
@@ -120,8 +118,7 @@ public:
 #include <cmath>
 #include <limits>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE
 Exact_geodesic_distance::On_surface::On_surface(const Indexed_surface& surface, Execution& execution)
@@ -210,8 +207,7 @@ Exact_geodesic_distance::On_surface::weights_in_triangle(Mesh::Face_index triang
   return weights;
 }
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif
 

@@ -14,8 +14,7 @@
 #include <atomic>
 #include <thread>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
@@ -116,7 +115,6 @@ private:
   double m_begin = 0, m_end = 1, m_share = 0; // of the work begun last, of the whole
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_EXECUTION_H

@@ -5,8 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_HAMMING_DISTANCE_H
 #define CGAL_PROTRUSION_SEGMENTATION_HAMMING_DISTANCE_H
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationMetrics
@@ -24,7 +23,6 @@ struct Hamming_distance
   double false_alarm_rate = 0;
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_HAMMING_DISTANCE_H

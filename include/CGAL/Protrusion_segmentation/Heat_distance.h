@@ -20,8 +20,7 @@
 #include <memory>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationDistances
@@ -112,15 +111,13 @@ public:
   }
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES)
 
 #include <CGAL/Protrusion_segmentation/internal/Distances/Largest_sum/largest_distance_sum.h>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE
 Heat_distance::On_surface::On_surface(const Indexed_surface& surface, Execution& execution)
@@ -164,8 +161,7 @@ Heat_distance::On_surface::heat_distances(Indexed_surface::Index source, std::ve
   return true;
 }
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif
 
@@ -175,8 +171,7 @@ Heat_distance::On_surface::heat_distances(Indexed_surface::Index source, std::ve
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 template <typename Eigen = Default>
 class Heat_distance
@@ -191,8 +186,7 @@ public:
   }
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_EIGEN3_ENABLED
 

@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationMethods
@@ -105,16 +104,14 @@ private:
   bool m_uses_candidate_intervals = true;
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED)
 
 #include <CGAL/Protrusion_segmentation/Geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/Histogram_segmentation.h>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE
 Histogram_method::Histogram_method() : Histogram_method(Geodesic_distance()) {}
@@ -140,8 +137,7 @@ Histogram_method::segment_from_tips(const Indexed_surface& surface,
     .from_tips(tips);
 }
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif
 

@@ -18,8 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationDistances
@@ -166,7 +165,6 @@ private:
   std::size_t m_number = 0; // 0: by fraction
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_LANDMARK_GEODESIC_DISTANCE_H

@@ -17,8 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationMethods
@@ -83,15 +82,13 @@ private:
   std::optional<internal::Any_distance> m_distance;
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #if !defined(DOXYGEN_RUNNING) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED)
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_segmentation.h>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE internal::Nested_segments
 Minimum_cut_method::segment(const Indexed_surface& surface,
@@ -111,8 +108,7 @@ Minimum_cut_method::segment_from_tips(const Indexed_surface& surface,
   return internal::Cut_segmentation(surface, m_distance, execution).from_tips(tips);
 }
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif
 

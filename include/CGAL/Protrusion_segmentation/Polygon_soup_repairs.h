@@ -7,8 +7,7 @@
 
 #include <cstddef>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
@@ -44,7 +43,6 @@ struct Polygon_soup_repairs
   }
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_POLYGON_SOUP_REPAIRS_H

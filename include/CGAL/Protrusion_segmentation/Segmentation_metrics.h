@@ -10,8 +10,7 @@
 
 #include <optional>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationMetrics
@@ -32,7 +31,6 @@ struct Segmentation_metrics
   Consistency_error consistency_error;
 };
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_SEGMENTATION_METRICS_H

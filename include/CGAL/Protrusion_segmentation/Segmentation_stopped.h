@@ -5,8 +5,7 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_SEGMENTATION_STOPPED_H
 #define CGAL_PROTRUSION_SEGMENTATION_SEGMENTATION_STOPPED_H
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
@@ -20,7 +19,6 @@ pass.
 struct Segmentation_stopped
 {};
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_SEGMENTATION_STOPPED_H

@@ -13,8 +13,7 @@
 #include <cstddef>
 #include <limits>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
@@ -59,7 +58,6 @@ void label_confidence(const FaceGraph& pmesh,
   }
 }
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_LABEL_CONFIDENCE_H

@@ -15,8 +15,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
@@ -98,7 +97,6 @@ Polygon_soup_correspondence<FaceGraph> polygon_soup_to_manifold_mesh(
                                           output, output_np);
 }
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_POLYGON_SOUP_TO_MANIFOLD_MESH_H

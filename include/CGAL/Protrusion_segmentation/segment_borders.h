@@ -13,8 +13,7 @@
 
 #include <utility>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
@@ -58,7 +57,6 @@ OutputIterator segment_borders(const FaceGraph& pmesh,
   return borders;
 }
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_SEGMENT_BORDERS_H

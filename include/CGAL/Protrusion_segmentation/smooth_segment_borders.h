@@ -21,8 +21,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
+namespace CGAL::Protrusion_segmentation {
 
 /*!
 \ingroup PkgProtrusionSegmentationRef
@@ -132,7 +131,6 @@ std::size_t smooth_segment_borders(const FaceGraph& pmesh,
   return result.number_of_fixed_segments;
 }
 
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_SMOOTH_SEGMENT_BORDERS_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The way of the data, the same for all public functions: the mesh becomes index arrays, these get their canonical
 // order, a method makes segments of them, and these go back to the mesh.
@@ -220,8 +218,6 @@ OutputIterator select_mesh_tips(const FaceGraph& mesh,
   return tips;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SEGMENT_MESH_H

@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Borders that stay where they are: all those of some segments, those between some two, and their edges at some vertices.
 class Kept_borders
@@ -119,8 +117,6 @@ private:
   Index m_number_of_fans = 0;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_CORNER_FANS_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // What becomes of a surface whose faces are cut: pieces of its faces, in their order. Vertices are those of the surface
 // and, numbered behind them, new ones.
@@ -124,8 +122,6 @@ struct Cut_surface
   }
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_CUT_SURFACE_H

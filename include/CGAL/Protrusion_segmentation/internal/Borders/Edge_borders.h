@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The borders between segments as they are at first, along edges.
 class Edge_borders
@@ -84,8 +82,6 @@ private:
   std::vector<std::vector<Index>> m_neighbors; // of each segment
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_EDGE_BORDERS_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Cuts faces between corners of different segments: marching triangles, for any number of segments and of corners.
 //
@@ -205,8 +203,6 @@ private:
   Cut_surface m_result;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_FACE_CUTTER_H

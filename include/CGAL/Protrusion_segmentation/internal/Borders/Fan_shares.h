@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // By what share each fan, most often all that is around a vertex, belongs to each segment: first by the angles of its faces,
 // then averaged with its neighbors again and again. Where shares of two segments are equal, there is a smooth line between
@@ -231,8 +229,6 @@ private:
   std::size_t m_number_of_mixed = 0; // fans that belong to several segments from the beginning
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_FAN_SHARES_H

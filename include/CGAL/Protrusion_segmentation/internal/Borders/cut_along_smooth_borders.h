@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 struct Smooth_borders
 {
@@ -233,8 +231,6 @@ inline Smooth_borders cut_along_smooth_borders(const Indexed_surface& surface,
   return Border_smoother(surface, segment_of_face, number_of_segments, number_of_rounds).smooth();
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_CUT_ALONG_SMOOTH_BORDERS_H

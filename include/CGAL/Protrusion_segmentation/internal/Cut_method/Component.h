@@ -20,9 +20,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A connected surface with all that is needed to search its cuts.
 class Component
@@ -84,8 +82,6 @@ private:
   Beam_search m_beam;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_COMPONENT_H

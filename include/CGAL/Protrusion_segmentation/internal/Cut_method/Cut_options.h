@@ -11,9 +11,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // What a cut says of itself, see `Clues_of_cut`. All clues are independent of scale.
 struct Cut_clues
@@ -136,8 +134,6 @@ inline double cost_for_area(double cost, double area)
   return cost / (std::sqrt(area) * std::sqrt(std::sqrt(area)));
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_OPTIONS_H

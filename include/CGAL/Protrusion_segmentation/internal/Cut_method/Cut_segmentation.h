@@ -29,9 +29,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Segments a surface by cuts. Every connected component is a surface of its own, with its own unit of length, so that
 // it gets the same segments whatever lies beside it; with a number of segments given, each further one goes to the
@@ -243,8 +241,6 @@ private:
   std::vector<std::size_t> m_numbers_of_runs; // of every component
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_SEGMENTATION_H

@@ -11,9 +11,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The number of segments that is found automatically: as many as there are before the largest drop of what one more gains, from
 // surely a protrusion to none. One limit would fall between cuts of nearly the same value: one of a pair of legs would be
@@ -40,8 +38,6 @@ std::size_t automatic_number_of_segments(Gain gain, const Cut_options& options)
   return best;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_NUMBER_OF_SEGMENTS_H

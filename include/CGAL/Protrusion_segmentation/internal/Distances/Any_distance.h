@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Any model of ProtrusionDistancesOnSurface: the methods are compiled once and not for every distance.
 class Distances_on_surface
@@ -173,8 +171,6 @@ private:
   On m_on;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_ANY_DISTANCE_H

@@ -14,9 +14,7 @@
 #include <cstring>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The face dual graph as shortest paths read it: target and length of an arc lie side by side.
 class Dual_arcs
@@ -99,8 +97,6 @@ private:
   std::vector<Arc> m_arcs;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_DUAL_ARCS_H

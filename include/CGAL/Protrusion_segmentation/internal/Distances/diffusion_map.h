@@ -26,9 +26,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The random walk on the faces of Section III.B.1, with transition matrix P = D^-1 W.
 struct Random_walk
@@ -281,9 +279,7 @@ inline double decay(const std::vector<double>& values, std::size_t k, double tim
   return std::exp(-time * (rate(values[k]) / rate(*slowest)));
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_EIGEN3_ENABLED and Spectra
 

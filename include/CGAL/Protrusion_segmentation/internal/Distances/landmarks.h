@@ -15,9 +15,7 @@
 #include <random>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A number below `bound` that does not depend on the standard library's distributions. The bias is below
 // bound / 2^32.
@@ -86,8 +84,6 @@ private:
   std::vector<Index> m_landmarks;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_LANDMARKS_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A surface as a halfedge structure of triangles, for algorithms that need one. Every polygon is the fan of
 // triangles around its first corner; the triangles are in the order of the faces.
@@ -228,8 +226,6 @@ private:
   mutable std::size_t m_number_of_values = 0;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_TRIANGULATE_SURFACE_H

@@ -10,9 +10,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // One step of a call that looks for segments: while it lives, progress is that from `found` segments to one
 // more. With no number asked for, the share grows with every segment and never gets to 1.
@@ -33,8 +31,6 @@ private:
   }
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_EXECUTION_NEXT_SEGMENT_H

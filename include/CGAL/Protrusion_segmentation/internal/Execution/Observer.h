@@ -11,9 +11,7 @@
 #include <cstdint>
 #include <exception>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 enum class Stage
 {
@@ -75,8 +73,6 @@ private:
   int m_number_of_exceptions;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_EXECUTION_OBSERVER_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A workspace, and a copy of it for every thread, which are kept from one loop to the next.
 template <typename Workspace>
@@ -66,8 +64,6 @@ private:
 #endif
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_EXECUTION_THREAD_WORKSPACES_H

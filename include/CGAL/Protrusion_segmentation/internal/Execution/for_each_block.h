@@ -15,9 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Loops over many indices, in blocks that do not depend on the number of threads. A block takes some tens of
 // microseconds, to start one takes less than one.
@@ -103,8 +101,6 @@ void sort_different(std::vector<T>& values, bool parallel, Less less, Sort sort)
   sort(values.begin(), values.end());
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_EXECUTION_FOR_EACH_BLOCK_H

@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <type_traits>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Whether a concurrency tag asks for several threads.
 template <typename ConcurrencyTag>
@@ -68,8 +66,6 @@ void for_each_index(std::size_t n, bool parallel, Body body)
     body(i);
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_EXECUTION_FOR_EACH_INDEX_H

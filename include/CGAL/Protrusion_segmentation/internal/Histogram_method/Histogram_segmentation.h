@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The flow of Fig. 2: tips in the largest segment, a border for each, labels, until there are enough
 // segments.
@@ -294,8 +292,6 @@ private:
   std::vector<Tip_records> m_records; // of every segment whose tips were selected
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_HISTOGRAM_SEGMENTATION_H

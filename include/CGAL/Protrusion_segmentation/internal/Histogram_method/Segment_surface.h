@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A segment as a surface of its own with the distances on it.
 struct Segment_surface
@@ -98,8 +96,6 @@ private:
   std::optional<Plane_section> m_section; // from the first time on that it is wanted
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_SEGMENT_SURFACE_H

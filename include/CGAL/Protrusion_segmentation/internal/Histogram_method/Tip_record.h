@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // An inflection point of the sectional-diameter histogram.
 struct Inflection
@@ -233,8 +231,6 @@ inline Protrusion<Indexed_surface::Index> describe_protrusion(const Tip_record& 
   return protrusion;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_TIP_RECORD_H

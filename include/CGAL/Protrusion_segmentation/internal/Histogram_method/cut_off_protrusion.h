@@ -11,9 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Step 4 of Section III.A: gives `label` to the faces connected to `tip` for which `is_near(face)` holds, out
 // of the connected set of faces that have the label of `tip`. Where this leaves that set in several pieces,
@@ -75,8 +73,6 @@ inline std::vector<Indexed_surface::Index> faces_with_label(
   return result;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_CUT_OFF_PROTRUSION_H

@@ -21,9 +21,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Ten groups of ten intervals, Section III.D.1.
 constexpr std::size_t number_of_slots = 100;
@@ -230,8 +228,6 @@ inline std::array<double, number_of_slots> sectional_diameter_histogram(
   return diameters;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_HISTOGRAMS_H

@@ -16,9 +16,7 @@
 #include <iterator>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A plane by a point of it and its normal, which need not have unit length.
 struct Section_plane
@@ -175,8 +173,6 @@ private:
   std::vector<Index> m_queue;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_HISTOGRAM_METHOD_PLANE_SECTION_H

@@ -22,9 +22,7 @@
 #include <system_error>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 inline std::string without_surrounding_blanks(const std::string& line)
 {
@@ -141,8 +139,6 @@ std::string read_segments(const std::string& file_name, const FaceGraph& mesh, S
   return read_segments(in, mesh, segment_ids);
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_IO_SEGMENT_FILE_H

@@ -18,9 +18,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Whether a visitor has functions of its own for tips or protrusions. A function that it inherits from
 // `Segmentation_visitor` has the type of a member of that.
@@ -128,8 +126,6 @@ private:
   std::vector<face_descriptor> m_faces; // in the order of the mesh, when the first is asked for
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_MESH_OBSERVER_H

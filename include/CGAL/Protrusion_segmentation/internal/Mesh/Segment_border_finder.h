@@ -20,9 +20,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Walks along the edges between segments.
 template <typename FaceGraph, typename SegmentMap, typename VertexPointMap>
@@ -121,8 +119,6 @@ private:
   typename boost::property_map<FaceGraph, dynamic_halfedge_property_t<bool>>::const_type m_seen;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_SEGMENT_BORDER_FINDER_H

@@ -13,9 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The positions of the given faces in the order of `faces(mesh)`.
 template <typename FaceGraph, typename FaceRange>
@@ -43,8 +41,6 @@ std::vector<Indexed_surface::Index> face_numbers(const FaceGraph& mesh, const Fa
   return result;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_FACE_NUMBERS_H

@@ -23,9 +23,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // What the arguments of the public functions mean, and whether they are of the right kind.
 
@@ -231,8 +229,6 @@ struct Check_no_edge_map : std::bool_constant<!has_edge_map<NamedParameters>>
     "edge_is_constrained_map has no meaning here: only functions that write segments mark their borders");
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_NAMED_PARAMETERS_H

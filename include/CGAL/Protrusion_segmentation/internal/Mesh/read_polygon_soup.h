@@ -20,9 +20,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 template <typename Range>
 using Element = std::decay_t<decltype(*std::begin(std::declval<const Range&>()))>;
@@ -109,8 +107,6 @@ Polygon_soup read_polygon_soup(const PointRange& points, PointMap point_map, con
   return soup;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_READ_POLYGON_SOUP_H

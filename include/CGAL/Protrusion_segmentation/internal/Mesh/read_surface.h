@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A mesh as index arrays, and the factor that turns its lengths back into those of the mesh.
 struct Arrays_of_mesh
@@ -133,8 +131,6 @@ Arrays_of_mesh read_surface(const FaceGraph& mesh, const NamedParameters& np)
   return result;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_READ_SURFACE_H

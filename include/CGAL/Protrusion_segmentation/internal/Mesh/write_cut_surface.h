@@ -27,9 +27,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A cut edge is known by its two ends.
 inline void check_edges_are_single(const Indexed_surface& surface)
@@ -144,8 +142,6 @@ void write_cut_surface(const FaceGraph& mesh,
   }
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_WRITE_CUT_SURFACE_H

@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Coordinates that are of another type become `double`.
 template <typename Point, typename OtherPoint>
@@ -94,8 +92,6 @@ Polygon_soup_correspondence<FaceGraph> write_manifold_surface(const PointRange& 
   return result;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_WRITE_MANIFOLD_SURFACE_H

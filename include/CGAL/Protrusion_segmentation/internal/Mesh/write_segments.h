@@ -22,9 +22,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Throws if the type cannot hold all labels: two segments would become one.
 template <typename Id>
@@ -76,8 +74,6 @@ void write_borders(const FaceGraph& mesh,
   }
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_WRITE_SEGMENTS_H

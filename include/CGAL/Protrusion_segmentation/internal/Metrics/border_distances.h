@@ -24,9 +24,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Vertices and edges of the mesh, each edge in both directions with its length in the unit of `Scaled_points`.
 using Edge_length = boost::property<boost::edge_weight_t, double>;
@@ -142,8 +140,6 @@ std::optional<double> cut_discrepancy(const FaceGraph& mesh,
                          average_radius(face_areas_and_centroids(mesh, vertex_points)));
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_BORDER_DISTANCES_H

@@ -25,9 +25,7 @@
 #include <string>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 using Double_kernel = CGAL::Simple_cartesian<double>;
 
@@ -146,8 +144,6 @@ inline double average_radius(const std::vector<Polygon_measures>& faces)
   return sum / area;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_FACE_AREAS_H

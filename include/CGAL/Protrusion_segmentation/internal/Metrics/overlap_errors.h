@@ -21,9 +21,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Segment numbers 0..n-1 in the order of `faces(mesh)`; ids are numbered as they first appear, so
 // that ids with gaps, negative or huge ones are as good as any.
@@ -242,8 +240,6 @@ inline Consistency_error consistency_error(const Segment_overlap& overlap)
   return result;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_OVERLAP_ERRORS_H

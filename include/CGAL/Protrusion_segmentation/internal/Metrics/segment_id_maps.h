@@ -14,9 +14,7 @@
 
 #include <type_traits>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // `Category` is the tag of Boost's property maps for what the map must be able to.
 template <typename FaceGraph, typename Map, typename Category, typename = void>
@@ -63,8 +61,6 @@ template <typename FaceGraph, typename SegmentIdMap, typename ReferenceIdMap>
 constexpr bool are_comparable = Check_readable_segment_ids<FaceGraph, SegmentIdMap>::value&&
   Check_reference_ids<FaceGraph, ReferenceIdMap>::value;
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_METRICS_SEGMENT_ID_MAPS_H

@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Which side of a face is joined to which side of another face, so that each side has at most one partner and
 // all faces can be oriented alike. A side goes from a corner of its face to the next one, and has the number of that
@@ -259,8 +257,6 @@ private:
   std::size_t m_number_of_unorientable_edges = 0;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_EDGE_PAIRS_H

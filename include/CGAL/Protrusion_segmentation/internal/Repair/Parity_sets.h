@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Disjoint sets of elements each of which is, or is not, turned over against the first of its set.
 class Parity_sets
@@ -69,8 +67,6 @@ private:
   std::vector<bool> m_is_turned; // against the parent
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_PARITY_SETS_H

@@ -17,9 +17,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Polygons of any number of corners in a row; the corners of all of them are numbered in a row, too.
 class Polygons
@@ -106,8 +104,6 @@ inline void scale_to_unit(Polygon_soup& soup)
     p = scaled_by_power_of_two(p, -largest.exponent());
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_POLYGON_SOUP_H

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The corners of faces that become one vertex: those that meet where sides are joined. A vertex so has one fan of
 // faces around it, whatever the soup says.
@@ -88,8 +86,6 @@ private:
   std::vector<std::size_t> m_vertex;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_VERTEX_FANS_H

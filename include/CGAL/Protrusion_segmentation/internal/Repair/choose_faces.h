@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The polygons that become faces, and the faces that label those that do not.
 struct Face_choice
@@ -205,8 +203,6 @@ inline Face_choice choose_faces(const Polygons& polygons,
   return Face_chooser(polygons, places, is_left_out).choose();
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_CHOOSE_FACES_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The segments on the two sides of a cut, in the end.
 struct Sides_of_cut
@@ -159,8 +157,6 @@ private:
   std::vector<Border> m_borders; // of every cut
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SEGMENTS_BORDERS_OF_CUTS_H

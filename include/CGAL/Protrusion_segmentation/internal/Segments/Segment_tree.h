@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The segments of a connected surface as the nodes of a tree, and its borders as the arcs: each border separates the
 // surface in two.
@@ -96,8 +94,6 @@ private:
   std::vector<double> m_areas; // beyond the border to the parent
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SEGMENTS_SEGMENT_TREE_H

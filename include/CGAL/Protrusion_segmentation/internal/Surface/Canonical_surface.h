@@ -13,9 +13,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A surface whose points are where its shape alone puts them, if it is connected, and whose faces are in an order that
 // depends on where they are and not on the mesh.
@@ -74,9 +72,7 @@ private:
   Indexed_surface m_surface;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_COMPILED
 #include <CGAL/Protrusion_segmentation/internal/Surface/make_canonical_surface.h>

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Boost's disjoint sets of the numbers below `n`, each alone at first. Not `disjoint_sets_with_storage`: its pointers are
 // no property maps any more if Boost's compressed sparse row graph, which users may need, was included before.
@@ -59,8 +57,6 @@ private:
   std::vector<Index> m_parents;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_DISJOINT_SETS_H

@@ -10,9 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The weights of the finite-volume Laplacian of the face dual graph: what flows between two faces in proportion to the
 // difference of their values, the length of their edge relative to the distance of their centroids. Independent of
@@ -56,8 +54,6 @@ private:
   double m_shortest;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_EDGE_CONDUCTANCES_H

@@ -10,9 +10,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A number and an index as one integer, which is compared and sorted in less time than a pair: by the number, then by
 // the index. Numbers that are not negative are ordered as the bits of their representation.
@@ -39,8 +37,6 @@ inline std::uint32_t index_of(Float_key key)
   return static_cast<std::uint32_t>(key);
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_FLOAT_KEY_H

@@ -13,9 +13,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The indices 0, 1, 2 ... of things by the number of the group that each is in, ascending in each group. Sorted
 // by counting, in linear time.
@@ -47,8 +45,6 @@ private:
   std::vector<Index> m_indices; // group by group
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_INDEX_GROUPS_H

@@ -10,9 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A surface as its arrays alone, with the accessors of `Indexed_surface`.
 struct Surface_arrays
@@ -39,8 +37,6 @@ struct Surface_arrays
   }
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_SURFACE_ARRAYS_H

@@ -12,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A surface without its small components. If there are none, it is the whole surface, and both lists are empty.
 struct Surface_without_small_components
@@ -33,9 +31,7 @@ struct Surface_without_small_components
 // Coordinates may be of any size. Takes linear time, and O(n log n) for n faces if there are small components.
 Surface_without_small_components leave_out_small_components(Surface_arrays surface);
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_COMPILED
 #include <CGAL/Protrusion_segmentation/internal/Surface/leave_out_small_components.h>

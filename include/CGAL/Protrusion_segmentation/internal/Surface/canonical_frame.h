@@ -20,9 +20,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 using Matrix_3 = std::array<std::array<double, 3>, 3>;
 
@@ -269,8 +267,6 @@ inline double move_to_canonical_frame(Surface_arrays& surface, bool is_parallel)
   return unit * largest;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CANONICAL_FRAME_H

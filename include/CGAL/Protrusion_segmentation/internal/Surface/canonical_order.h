@@ -15,9 +15,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Two zero bits behind each of the lower 21 bits.
 inline std::uint64_t spread_bits(std::uint64_t bits)
@@ -80,8 +78,6 @@ inline std::vector<Indexed_surface::Index> canonical_order(const Surface_arrays&
   return order;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CANONICAL_ORDER_H

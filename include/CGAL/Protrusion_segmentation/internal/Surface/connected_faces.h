@@ -11,9 +11,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The faces connected to `seed` over faces for which `is_inside(face)` holds, `seed` first. `is_inside` is
 // asked about a face until it says yes and has to say no once the face was told to `enter(face)`. `Surface` is
@@ -123,8 +121,6 @@ inline double border_length(const Indexed_surface& surface,
   return length;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CONNECTED_FACES_H

@@ -13,9 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Chooses and orders faces of a surface, `Indexed_surface` or `Surface_arrays`. The work arrays, as long as the
 // surface, are kept between calls; a call takes time linear in the number of faces that it chooses.
@@ -156,8 +154,6 @@ private:
   Face_selector<Indexed_surface> m_select;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_EXTRACT_SEGMENT_H

@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Finds, among given faces, the one with the nearest centroid.
 class Nearest_face
@@ -98,8 +96,6 @@ leave_out_small_components(Surface_arrays surface)
   return result;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_LEAVE_OUT_SMALL_COMPONENTS_H

@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE
 Canonical_surface::Canonical_surface(Surface_arrays arrays, bool is_parallel)
@@ -51,8 +49,6 @@ void Canonical_surface::take_in_order(Surface_arrays& arrays, bool is_parallel)
   m_surface = std::move(ordered).to_surface(is_parallel);
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_MAKE_CANONICAL_SURFACE_H

@@ -14,9 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The largest coordinate of points that come one by one.
 class Largest_coordinate
@@ -88,8 +86,6 @@ inline double normalize(std::vector<Indexed_surface::Point_3>& points)
   return std::ldexp(1., exponent);
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_NORMALIZE_POINTS_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 struct Polygon_measures
 {
@@ -101,8 +99,6 @@ Polygon_measures measure_polygon(const Corners& corners)
   return {area, polygon_centroid(corners, normal, area)};
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_POLYGON_MEASURES_H

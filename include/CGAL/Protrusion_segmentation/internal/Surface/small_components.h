@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A small component has less of the area of the largest component, and fewer faces than that: less than half of the least
 // protrusion, which has .0025 of its component. A figure on a large floor of few faces is not small.
@@ -83,8 +81,6 @@ inline std::vector<bool> small_components(const Surface_arrays& surface,
   return small_components(areas, face_counts);
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_SMALL_COMPONENTS_H

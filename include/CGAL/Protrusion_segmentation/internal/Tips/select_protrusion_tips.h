@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 struct Tip_selection
 {
@@ -169,8 +167,6 @@ inline std::vector<Indexed_surface::Index> select_tips_of_components(const Index
   return tips;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_TIPS_SELECT_PROTRUSION_TIPS_H

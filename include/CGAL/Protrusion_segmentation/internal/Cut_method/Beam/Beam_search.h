@@ -19,9 +19,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Searches the cuts of a connected surface that are best together, for one more segment at a time. Greedy choice fails, because
 // one good cut can block two better ones: the best sets of cuts are kept, a beam, and each is tried with its best
@@ -184,8 +182,6 @@ private:
   std::vector<Cut_set> m_best; // for every number of segments from 1 on
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_BEAM_SEARCH_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A segmentation of a connected surface by cuts, each of which splits a segment in two. Segments are those of a memo.
 struct Cut_set
@@ -110,8 +108,6 @@ private:
   std::map<Nodes, Index> m_ids;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_SEGMENT_MEMO_H

@@ -26,9 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The work arrays of one thread that searches for cuts.
 struct Search_workspace
@@ -272,8 +270,6 @@ private:
   std::size_t m_number_of_runs = 0;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_SEGMENT_SEARCH_H

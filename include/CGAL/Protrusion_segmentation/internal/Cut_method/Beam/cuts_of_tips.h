@@ -19,9 +19,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Cuts off one protrusion for each picked tip.
 class Tip_cuts
@@ -94,8 +92,6 @@ private:
   Execution& m_execution;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_CUTS_OF_TIPS_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The nodes of a segment, in ascending order, by their distances from its tips in the distance of the user's choice. A
 // node is as far as its faces are on average.
@@ -58,8 +56,6 @@ inline std::vector<Nodes> distance_orders(const Indexed_surface& surface,
   return orders;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CANDIDATES_DISTANCE_ORDERS_H

@@ -14,9 +14,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A component of a level set: the nodes connected to `node` over nodes not after it in an order of the segment's nodes.
 struct Level_set
@@ -132,8 +130,6 @@ private:
   std::vector<Level_set> m_level_sets;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CANDIDATES_LEVEL_SETS_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The nodes of a segment by their distances from protrusion tips, on the coarse graph itself: the default distance. Arcs across
 // concave seams are longer there than on the surface.
@@ -87,8 +85,6 @@ private:
   std::vector<double> m_to_nearest_tip; // of every node
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CANDIDATES_TIP_ORDERS_H

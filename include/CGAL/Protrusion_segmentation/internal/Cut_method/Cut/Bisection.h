@@ -14,9 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A segment and a cut that divides it: the one place where the inner side of a cut exists, as a list of nodes and marked in a
 // partition at the same time.
@@ -73,8 +71,6 @@ private:
   double m_inner_area = 0;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_BISECTION_H

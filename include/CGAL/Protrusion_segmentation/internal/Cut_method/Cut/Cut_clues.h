@@ -18,9 +18,7 @@
 #include <tuple>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The strip beside a cut on one of its sides.
 struct Cut_strip
@@ -230,8 +228,6 @@ private:
   Vector_3 m_area_vector{0, 0, 0};                       // of the smaller side
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CUT_CLUES_H

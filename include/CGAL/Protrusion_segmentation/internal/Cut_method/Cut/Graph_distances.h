@@ -17,9 +17,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Nodes in ascending order of their distances from some others.
 struct Nodes_by_distance
@@ -108,8 +106,6 @@ private:
   std::vector<Float_key> m_keys; // of these, each once, in order
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_GRAPH_DISTANCES_H

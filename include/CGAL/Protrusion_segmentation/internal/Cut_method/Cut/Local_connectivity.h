@@ -12,9 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Finds out that a side of a cut is connected without a walk over all of it, when some nodes have just changed sides.
 //
@@ -98,8 +96,6 @@ private:
   Disjoint_sets m_met; // the fronts that have
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_LOCAL_CONNECTIVITY_H

@@ -23,9 +23,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Divides a connected graph into clusters by a Poisson disk sampling: seeds that are farther from each other than a
 // radius, so many that no node is farther from all of them. Every node goes to the nearest seed, with arcs across concave seams
@@ -179,8 +177,6 @@ private:
   boost::heap::d_ary_heap<Float_key, boost::heap::arity<4>, boost::heap::compare<std::greater<>>> m_queue;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_DISK_CLUSTERS_H

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A graph whose nodes are faces, or connected sets of faces, of a connected surface. Lengths are in units of the square
 // root of the area of the whole surface, areas are shares of it, so that results are independent of scale.
@@ -100,8 +98,6 @@ struct Volume_graph : Seam_graph
   Centres centre;                    // of every node
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_DUAL_GRAPH_H

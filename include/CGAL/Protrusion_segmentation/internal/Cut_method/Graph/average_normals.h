@@ -15,9 +15,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 inline Indexed_surface::Vector_3 area_vector(const Indexed_surface& surface, bool is_parallel = false)
 {
@@ -124,8 +122,6 @@ inline Triples average_normals(const Indexed_surface& surface,
   return normals;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_AVERAGE_NORMALS_H

@@ -16,9 +16,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Calls `visit(corner, arc)` for the edges of a face that lie between nodes of a coarse graph: with the corner that the edge
 // starts at and the arc of the coarse graph. `node`: of every face.
@@ -186,8 +184,6 @@ inline void measure_volumes(const Indexed_surface& surface,
                  });
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_COARSE_BORDERS_H

@@ -16,9 +16,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Contracts affinities: those between the nodes of two sets add up.
 inline Affinity_graph contract_affinities(const Affinities& nodes, const std::vector<Affinities::Index>& number, Affinities::Index count, bool is_parallel)
@@ -83,8 +81,6 @@ Contracted<Graph> coarsen(const Graph& graph,
                   execution.is_parallel());
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_COARSEN_GRAPH_H

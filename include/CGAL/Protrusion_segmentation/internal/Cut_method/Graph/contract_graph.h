@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Sets of nodes, each connected: of every node the number of its set, below `number`.
 struct Clusters
@@ -205,8 +203,6 @@ Contracted<Graph> contract(const Graph& graph, const Centres& centre_of_node, Cl
   return result;
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_CONTRACT_GRAPH_H

@@ -21,9 +21,7 @@
 #include <optional>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 using Triple = std::array<float, 3>;
 using Triples = std::vector<Triple>; // of every node
@@ -277,8 +275,6 @@ private:
   Execution& m_execution;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_DIFFUSION_H

@@ -18,9 +18,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Six times the signed volume of a closed surface. Of one with borders it is taken as if every border were
 // closed by a fan around the origin, which lies in the middle of the surface.
@@ -161,8 +159,6 @@ private:
   Execution& m_execution;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_MAKE_DUAL_GRAPH_H

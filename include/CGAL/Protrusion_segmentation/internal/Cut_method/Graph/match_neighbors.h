@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // A graph as neighbours are matched on it: the arcs of node i are first_arc[i] to first_arc[i + 1] - 1.
 struct Affinities
@@ -162,8 +160,6 @@ private:
   std::vector<Index> m_partner;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_MATCH_NEIGHBORS_H

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The arcs of the dual graph between faces of different segments.
 class Border_arcs
@@ -63,8 +61,6 @@ private:
   std::vector<Arc> m_arcs;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_RESULT_BORDER_ARCS_H

@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The segments of a connected surface that a set of cuts makes: the faces of each and their tree. The body is segment 0;
 // the others are in the order in which their borders were chosen.
@@ -142,8 +140,6 @@ private:
   std::vector<std::size_t> m_cuts;              // of every segment but the body
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_RESULT_COMPONENT_SEGMENTS_H

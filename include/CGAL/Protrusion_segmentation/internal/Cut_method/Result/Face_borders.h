@@ -21,9 +21,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Around borders of the clusters of the coarse graph, and around such of groups of faces: three times the size of a group.
 constexpr Band band_of_clusters = {0.05, 1.4, 0.7};
@@ -155,8 +153,6 @@ private:
   std::vector<double> m_area; // of every segment
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_RESULT_FACE_BORDERS_H

@@ -17,9 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Tells of the protrusions of a connected surface: all of its segments but the body. The tip is the face of a segment that is
 // farthest from the border to its parent.
@@ -122,8 +120,6 @@ private:
   Border_arcs m_borders;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_RESULT_DESCRIBE_PROTRUSIONS_H

@@ -13,9 +13,7 @@
 #include <limits>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Upper bounds of the sums of eq. (1) by all visited faces together.
 //
@@ -114,8 +112,6 @@ private:
   std::vector<Of_groups> m_sums;               // D(c, G) by c and G
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_LARGEST_SUM_JOINT_SUM_BOUNDS_H

@@ -14,9 +14,7 @@
 #include <numeric>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // Upper bounds of the sums of eq. (1) for the faces around a visited one, far closer than the triangle
 // inequality and at the cost of a small neighbourhood.
@@ -197,8 +195,6 @@ private:
   std::vector<bool> m_is_found;
 };
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_LARGEST_SUM_LOCAL_SUM_BOUNDS_H

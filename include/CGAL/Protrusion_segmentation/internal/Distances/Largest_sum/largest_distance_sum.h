@@ -22,9 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace CGAL {
-namespace Protrusion_segmentation {
-namespace internal {
+namespace CGAL::Protrusion_segmentation::internal {
 
 // The sum of eq. (1), in a fixed order.
 inline double distance_sum(const std::vector<double>& distances)
@@ -274,8 +272,6 @@ Indexed_surface::Index largest_distance_sum(const Indexed_surface& surface,
   return Largest_distance_sum<Distances>(surface, distances, execution)(surface.number_of_faces());
 }
 
-} // namespace internal
-} // namespace Protrusion_segmentation
-} // namespace CGAL
+} // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_DISTANCES_LARGEST_SUM_LARGEST_DISTANCE_SUM_H
