@@ -24,7 +24,7 @@ struct Protrusion
 {
   std::size_t segment = 0;    ///< the id of the protrusion's segment
   std::size_t parent = 0;     ///< the id of the segment that it sticks out of
-  FaceDescriptor tip = {};    ///< the face at its tip
+  FaceDescriptor tip{};       ///< the face at its tip
   double border_distance = 0; ///< the distance of the border from the tip
   double border_length = 0;   ///< the length of the border between the protrusion and the rest
   double area = 0; ///< the area beyond the border: of the segment and of all that sticks out of it
