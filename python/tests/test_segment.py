@@ -45,7 +45,7 @@ def test_every_arm_is_a_segment(method, distance):
     assert np.bincount(labels[known == 6]).argmax() == 0
 
 
-def test_no_number_is_as_many_as_evident():
+def test_no_number_is_as_many_as_found():
     known = arms(POINTS, TRIANGLES)
     labels = ps.segment(POINTS, TRIANGLES)
     longest = [np.unique(labels[known == arm]) for arm in range(4)]

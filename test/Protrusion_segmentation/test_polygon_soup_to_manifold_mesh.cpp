@@ -64,7 +64,7 @@ Repairs repairs(std::size_t degenerate,
                 std::size_t duplicates,
                 std::size_t edges,
                 std::size_t reversed,
-                std::size_t specks,
+                std::size_t small_components,
                 std::size_t components)
 {
   Repairs result;
@@ -72,7 +72,7 @@ Repairs repairs(std::size_t degenerate,
   result.duplicate_polygons = duplicates;
   result.non_manifold_edges = edges;
   result.reversed_polygons = reversed;
-  result.specks = specks;
+  result.small_components = small_components;
   result.components = components;
   return result;
 }
@@ -81,7 +81,7 @@ std::string as_text(const Repairs& r)
 {
   std::string result;
   for (const std::size_t count : {r.degenerate_polygons, r.duplicate_polygons, r.non_manifold_edges,
-                                  r.reversed_polygons, r.specks, r.components})
+                                  r.reversed_polygons, r.small_components, r.components})
     result += std::to_string(count) + " ";
   return result;
 }

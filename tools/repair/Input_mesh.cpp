@@ -180,8 +180,8 @@ std::string describe(const Repairs& repairs)
                     ", since the surface has no two sides");
   if (repairs.reversed_polygons > 0)
     parts.push_back(counted(repairs.reversed_polygons, "face was", "faces were") + " turned over");
-  if (repairs.specks > 0)
-    parts.push_back(counted(repairs.specks, "small component has", "small components have") + " the label of a neighbour");
+  if (repairs.small_components > 0)
+    parts.push_back(counted(repairs.small_components, "small component has", "small components have") + " the label of a neighbour");
   if (!parts.empty())
     parts.push_back(counted(repairs.components, "component is", "components are") + " left");
   std::string line;

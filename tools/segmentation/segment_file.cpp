@@ -135,9 +135,9 @@ std::string note_on_tips(const Findings& findings)
   return found < given ? "found protrusions for " + std::to_string(found) + " of " + std::to_string(given) + " tips" : "";
 }
 
-std::string note_on_specks(const Findings& findings)
+std::string note_on_small_components(const Findings& findings)
 {
-  const std::size_t number = findings.segmentation.record.number_of_specks();
+  const std::size_t number = findings.segmentation.record.number_of_small_components();
   return number == 0 ? "" : std::to_string(number) + (number == 1 ? " small component has" : " small components have") +
                               " the label of the nearest segment";
 }
@@ -195,7 +195,7 @@ Findings segment_file(const std::string& input,
   if (options.are_borders_smooth)
     smooth(findings);
   for (const std::string& note :
-       {describe(findings.mesh.repairs), note_on_specks(findings), note_on_number(options, findings.segmentation),
+       {describe(findings.mesh.repairs), note_on_small_components(findings), note_on_number(options, findings.segmentation),
         note_on_tips(findings), note_on_borders(findings)})
     findings.note = join_notes(findings.note, note);
   return findings;

@@ -198,7 +198,7 @@ Json describe_surface(const Input_mesh& mesh)
   Object object;
   object.add("faces", mesh.face_in_file.size())
     .add("components", repairs.components)
-    .add("specks", repairs.specks)
+    .add("small_components", repairs.small_components)
     .add("degenerate_faces", repairs.degenerate_polygons)
     .add("duplicate_faces", repairs.duplicate_polygons)
     .add("non_manifold_edges", repairs.non_manifold_edges)

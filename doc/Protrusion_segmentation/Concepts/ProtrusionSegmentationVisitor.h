@@ -63,8 +63,8 @@ public:
 
   /// is called if there are small components, which get no segments of their own:
   /// `CGAL::segmentation_via_protrusion_tips()` says which these are.
-  /// \param number_of_specks how many there are, at least 1
-  void on_specks(std::size_t number_of_specks);
+  /// \param number_of_small_components how many there are, at least 1
+  void on_small_components(std::size_t number_of_small_components);
   /// is called for each protrusion tip that is selected, which need not become a segment.
   /// \param face the face at the tip
   void on_tip(face_descriptor face);

@@ -86,7 +86,7 @@ public:
   /// @}
 
 #ifndef DOXYGEN_RUNNING
-  // Segments `surface`, into `number_of_segments` or while there are evident protrusions, or cuts off the
+  // Segments `surface`, into `number_of_segments` or while there are protrusions, or cuts off the
   // protrusions of given tips.
   internal::Nested_segments segment(const Indexed_surface& surface,
                                     std::optional<std::size_t> number_of_segments,

@@ -28,7 +28,7 @@ struct Polygon_soup_repairs
   /// polygons that were turned over to be oriented as their neighbors are
   std::size_t reversed_polygons = 0;
   /// small components, and walls between two solids, that touch the rest, left out with all their polygons
-  std::size_t specks = 0;
+  std::size_t small_components = 0;
   /// connected components of the mesh; no repair
   std::size_t components = 0;
 
@@ -38,7 +38,7 @@ struct Polygon_soup_repairs
   bool is_nothing() const
   {
     return degenerate_polygons + duplicate_polygons + non_manifold_edges + unorientable_edges + reversed_polygons +
-             specks ==
+             small_components ==
            0;
   }
 };

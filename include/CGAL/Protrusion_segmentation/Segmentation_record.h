@@ -53,7 +53,7 @@ public:
   /// \return the number of faces that were farthest from the tips but on the border of an earlier segment
   std::size_t number_of_eliminated_tips() const { return m_number_of_eliminated_tips; }
   /// \return the number of small components, which get no segments of their own
-  std::size_t number_of_specks() const { return m_number_of_specks; }
+  std::size_t number_of_small_components() const { return m_number_of_small_components; }
   /// \return from how many faces distances were computed
   std::size_t number_of_runs() const { return m_number_of_runs; }
   /// @}
@@ -92,7 +92,7 @@ public:
   void on_reading_begin() { *this = Segmentation_record(); }
   void on_tip(face_descriptor face) { m_tips.push_back(face); }
   void on_eliminated_tip(face_descriptor /* face */) { ++m_number_of_eliminated_tips; }
-  void on_specks(std::size_t number_of_specks) { m_number_of_specks = number_of_specks; }
+  void on_small_components(std::size_t number_of_small_components) { m_number_of_small_components = number_of_small_components; }
   void on_distances(std::size_t number_of_runs) { m_number_of_runs += number_of_runs; }
   void on_protrusion(const Protrusion<face_descriptor>& protrusion)
   {
@@ -156,7 +156,7 @@ private:
   std::vector<Protrusion<face_descriptor>> m_protrusions;
   std::vector<face_descriptor> m_tips;
   std::size_t m_number_of_eliminated_tips = 0;
-  std::size_t m_number_of_specks = 0;
+  std::size_t m_number_of_small_components = 0;
   std::size_t m_number_of_runs = 0;
   std::vector<Node> m_nodes; // of the trees, by segment
 };

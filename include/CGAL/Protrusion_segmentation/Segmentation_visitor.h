@@ -55,7 +55,7 @@ public:
 
   /// \name Findings
   /// @{
-  void on_specks(std::size_t /* number_of_specks */) {}                      ///< does nothing
+  void on_small_components(std::size_t /* number_of_small_components */) {}                      ///< does nothing
   void on_tip(face_descriptor /* face */) {}                                 ///< does nothing
   void on_eliminated_tip(face_descriptor /* face */) {}                      ///< does nothing
   void on_protrusion(const Protrusion<face_descriptor>& /* protrusion */) {} ///< does nothing

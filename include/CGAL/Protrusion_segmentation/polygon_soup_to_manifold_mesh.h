@@ -38,7 +38,7 @@ connected surfaces, in which one duplicate polygon must not separate its neighbo
 - Polygons are reversed so that joined ones have the same orientation, as few as possible in each component. A surface
   without an orientation, such as a Moebius strip, is cut at some edges. A point at which several fans of faces meet
   gets a vertex for each of them.
-- <em>Specks</em> are left out, and get the label of a neighbor: components with less than a thousandth of the whole area,
+- <em>Small components</em> are left out, and get the label of a neighbor: components with less than a thousandth of the whole area,
   and walls between two solids, if they share a point with the rest. A component that touches nothing is kept, however
   small.
 

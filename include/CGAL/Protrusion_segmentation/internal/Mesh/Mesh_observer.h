@@ -47,7 +47,7 @@ public:
   // to be called before any face is reported; the surface must outlive the object
   void set_surface(const Canonical_surface& surface) { m_surface = &surface; }
 
-  void specks_left_out(std::size_t number) { m_visitor.on_specks(number); }
+  void small_components_left_out(std::size_t number) { m_visitor.on_small_components(number); }
 
   bool go_further() override { return m_visitor.go_further(); }
   void progress(double share) override { m_visitor.on_progress(share); }

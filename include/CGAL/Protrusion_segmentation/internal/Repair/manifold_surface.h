@@ -190,8 +190,8 @@ inline Manifold_surface manifold_surface(Polygon_soup soup)
   repairs.degenerate_polygons = joined->choice.degenerate_polygons;
   repairs.duplicate_polygons = joined->choice.duplicate_polygons;
   repairs.non_manifold_edges = joined->pairs.number_of_non_manifold_edges();
-  repairs.specks = Left_out_components(soup, place_of, *joined).leave_out(is_left_out);
-  if (repairs.specks > 0) // then the rest is joined anew
+  repairs.small_components = Left_out_components(soup, place_of, *joined).leave_out(is_left_out);
+  if (repairs.small_components > 0) // then the rest is joined anew
     joined = std::make_unique<Joined_faces>(soup, place_of, is_left_out);
   repairs.unorientable_edges = joined->pairs.number_of_unorientable_edges();
   repairs.reversed_polygons =

@@ -27,7 +27,7 @@ using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 struct Found
 {
   Segmentation segmentation;
-  std::size_t number_of_specks = 0;
+  std::size_t number_of_small_components = 0;
 };
 
 template <typename Method, typename... Number>
@@ -39,7 +39,7 @@ Found segment(const Test_mesh& soup, const Method& method, Number... k)
   Found result;
   result.segmentation = checked(
     mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k..., method, np); });
-  result.number_of_specks = record.number_of_specks();
+  result.number_of_small_components = record.number_of_small_components();
   return result;
 }
 
@@ -89,8 +89,8 @@ void check_specks(const Method& method, Number... k)
   const Test_mesh mesh = with_specks(bodies());
   const std::size_t faces = bodies().faces.size(), of_speck = icosahedron().faces.size();
   const Found without = segment(bodies(), method, k...), with = segment(mesh, method, k...);
-  CHECK_EQUAL(without.number_of_specks, 0);
-  CHECK_EQUAL(with.number_of_specks, 2);
+  CHECK_EQUAL(without.number_of_small_components, 0);
+  CHECK_EQUAL(with.number_of_small_components, 2);
   CHECK_EQUAL(with.segmentation.number, without.segmentation.number);
   CHECK(first_labels(with.segmentation, faces) == without.segmentation.labels);
   for (const std::size_t begin : {faces, faces + of_speck})
@@ -148,7 +148,7 @@ void components_that_are_alike_are_no_specks()
     links.push_back(translated(tetrahedron(), {3. * i, 0, 0}));
   const Found found = segment(merged(links), Minimum_cut_method(), 1);
   CHECK_EQUAL(found.segmentation.number, 2000);
-  CHECK_EQUAL(found.number_of_specks, 0);
+  CHECK_EQUAL(found.number_of_small_components, 0);
 }
 
 // It is small beside the floor, but has more faces.
@@ -158,7 +158,7 @@ void a_figure_on_a_large_floor_is_no_speck()
   const Found found = segment(merged({figure(), floor}), Minimum_cut_method());
   const Found alone = segment(figure(), Minimum_cut_method());
   CHECK_EQUAL(found.segmentation.number, alone.segmentation.number + 1);
-  CHECK_EQUAL(found.number_of_specks, 0);
+  CHECK_EQUAL(found.number_of_small_components, 0);
 }
 
 void hierarchies_have_no_segments_for_specks()
