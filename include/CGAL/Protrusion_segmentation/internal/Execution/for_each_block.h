@@ -70,7 +70,7 @@ Sum add_blocks(std::size_t n, bool parallel, Sum sum, Term term)
   return sum;
 }
 
-// `sum` plus the terms that `add(sum, i)` adds for every number i from 0 to n - 1, rounded alike with any number of threads.
+// The sum of what `add(sum, i)` adds to `zero` for every number i from 0 to n - 1, rounded alike with any number of threads.
 template <typename Sum, typename Add>
 Sum add_numbers(std::size_t n, bool parallel, Sum zero, Add add)
 {

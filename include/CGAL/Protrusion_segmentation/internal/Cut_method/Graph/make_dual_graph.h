@@ -11,21 +11,57 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/average_normals.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// Six times the signed volume of a closed surface. Of one with borders it is taken as if every border were
-// closed by a fan around the origin, which lies in the middle of the surface.
+// Three times the signed volume of what closes a surface: each hole, the edges of a border that are connected, gets a fan
+// around its own centroid. A centre common to all holes would turn open surfaces inside out.
+inline double signed_volume_of_holes(const Indexed_surface& surface)
+{
+  using Index = Indexed_surface::Index;
+  const Indexed_surface::Point_3 origin(0, 0, 0);
+  std::vector<std::pair<Index, Index>> edges; // of the border, by their vertices
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
+      if (surface.neighbor(c) == Indexed_surface::no_face())
+        edges.emplace_back(surface.vertex(c), surface.vertex(surface.next_corner(f, c)));
+  if (edges.empty())
+    return 0;
+  Disjoint_sets holes(surface.number_of_vertices());
+  for (const auto& [a, b] : edges)
+    holes.union_set(a, b);
+  std::map<Index, std::pair<Indexed_surface::Vector_3, double>> moments; // of every hole, with its length
+  for (const auto& [a, b] : edges)
+  {
+    auto& [moment, length] = moments.try_emplace(holes.find_set(a), Indexed_surface::Vector_3(0, 0, 0), 0.).first->second;
+    const double l = std::sqrt(squared_distance(surface.point(a), surface.point(b)));
+    moment += l * ((surface.point(a) - origin) + (surface.point(b) - origin)) / 2;
+    length += l;
+  }
+  double volume = 0;
+  for (const auto& [a, b] : edges)
+  {
+    const auto& [moment, length] = moments.at(holes.find_set(a));
+    if (length > 0) // a triangle b, a, centroid
+      volume += cross_product(surface.point(b) - origin, surface.point(a) - origin) * (moment / length) / 2;
+  }
+  return volume;
+}
+
+// Three times the signed volume of a surface, closed where it has holes.
 inline double signed_volume(const Indexed_surface& surface, bool is_parallel)
 {
   const Indexed_surface::Point_3 origin(0, 0, 0);
-  return add_numbers(surface.number_of_faces(), is_parallel, 0., [&](double& sum, Indexed_surface::Index f)
+  return signed_volume_of_holes(surface) +
+         add_numbers(surface.number_of_faces(), is_parallel, 0., [&](double& sum, Indexed_surface::Index f)
                      { sum += surface.area_vector(f) * (surface.centroid(f) - origin); });
 }
 

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What sticks out of a surface without an underside, as of a scan from one side, is found whatever its height and the
+// orientation of the faces.
+
+#include "segmentations.h"
+
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace test_meshes;
+using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
+
+namespace {
+
+// A plate of radius 3, part 0, with a peg of radius 1, part 1. Neither has an underside.
+Test_mesh plate_with_peg(double height)
+{
+  constexpr std::size_t around = 48;
+  constexpr double step = 0.15;
+  std::vector<std::pair<double, double>> profile; // radius and height, from the rim of the plate to the middle of the peg
+  const auto add_line = [&](double r, double z, double to_r, double to_z)
+  {
+    const int n = static_cast<int>(std::ceil(std::hypot(to_r - r, to_z - z) / step));
+    for (int i = 0; i < n; ++i)
+      profile.emplace_back(r + (to_r - r) * i / n, z + (to_z - z) * i / n);
+  };
+  add_line(3, 0, 1, 0);
+  const std::size_t foot = profile.size();
+  add_line(1, 0, 1, height);
+  add_line(1, height, 0, height);
+  Test_mesh mesh;
+  for (const auto& [r, z] : profile)
+    for (std::size_t a = 0; a < around; ++a)
+      mesh.add_point({r * std::cos(2 * pi * a / around), r * std::sin(2 * pi * a / around), z});
+  const std::size_t top = mesh.add_point({0, 0, height});
+  for (std::size_t ring = 0; ring < profile.size(); ++ring)
+    for (std::size_t a = 0; a < around; ++a)
+    {
+      const std::size_t p = ring * around + a, q = ring * around + (a + 1) % around;
+      const std::size_t part = ring < foot ? 0 : 1;
+      if (ring + 1 == profile.size())
+        mesh.add_face({p, q, top}, part);
+      else
+      {
+        mesh.add_face({p, q, q + around}, part);
+        mesh.add_face({p, q + around, p + around}, part);
+      }
+    }
+  return mesh;
+}
+
+Test_mesh turned(Test_mesh mesh)
+{
+  for (Face& face : mesh.faces)
+    std::reverse(face.begin(), face.end());
+  return mesh;
+}
+
+Segmentation segmentation(const Test_mesh& soup)
+{
+  const Mesh mesh = to_graph<Mesh>(soup);
+  return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, 2); });
+}
+
+} // namespace
+
+int main()
+{
+  for (const double height : {1., 1.5, 3., 5.})
+    for (const Test_mesh& mesh : {plate_with_peg(height), turned(plate_with_peg(height))})
+      check_parts(mesh, segmentation(mesh), 0.95);
+  return check::result();
+}
