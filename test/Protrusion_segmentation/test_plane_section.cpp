@@ -5,8 +5,10 @@
 // Sections by planes have the components that CGAL::Polygon_mesh_slicer finds; diameters are those
 // of all pairs of points.
 
-// g++ 12 finds Boost's copies of edge properties without members uninitialized at -O3.
+// g++ 12 finds Boost's copies of edge properties without members uninitialized at -O3, and takes the operators below for
+// mismatched where it inlines one of them.
 #if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
 
