@@ -10,7 +10,11 @@ set(headers
   <CGAL/boost/graph/helpers.h> <CGAL/Named_function_parameters.h> <boost/graph/dijkstra_shortest_paths.hpp>
   <algorithm> <array> <cmath> <filesystem> <fstream> <functional> <iostream> <map> <numeric> <optional>
   <random> <set> <sstream> <string> <vector>
-  <CGAL/Protrusion_segmentation/Histogram_method.h> <CGAL/protrusion_segmentation.h> <CGAL/segmentation_metrics.h> <CGAL/boost/graph/generators.h>)
+  <CGAL/Protrusion_segmentation/Histogram_method.h> <CGAL/protrusion_segmentation.h> <CGAL/segmentation_metrics.h>
+  <CGAL/boost/graph/generators.h>)
+if(PROTRUSION_SEGMENTATION_LINK_METHODS)
+  list(APPEND headers ${CMAKE_CURRENT_LIST_DIR}/compiled_once.h)
+endif()
 
 function(protrusion_precompile set options)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${set}.cpp CONTENT "")

@@ -35,9 +35,12 @@ if(PROTRUSION_SEGMENTATION_SANITIZERS)
     -fsanitize=${PROTRUSION_SEGMENTATION_SANITIZERS})
 endif()
 
-# The methods and distances, compiled once for all programs but those that are to have every header as users have it.
+# The methods, distances and test meshes, compiled once for all programs but those that are to have every header as users have it.
 if(PROTRUSION_SEGMENTATION_LINK_METHODS)
-  target_sources(Protrusion_segmentation_compiled PRIVATE ${CMAKE_CURRENT_LIST_DIR}/distances.cpp)
+  target_sources(Protrusion_segmentation_compiled PRIVATE
+    ${CMAKE_CURRENT_LIST_DIR}/distances.cpp ${CMAKE_CURRENT_LIST_DIR}/compiled_once.cpp)
+  target_include_directories(Protrusion_segmentation_compiled PRIVATE
+    ${PROJECT_SOURCE_DIR}/test/Protrusion_segmentation/include)
   target_compile_definitions(Protrusion_segmentation_compiled
     INTERFACE CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES)
   # As much as for users, whatever the tests are compiled with: they run faster, and g++ makes most of the same labels.

@@ -9,6 +9,8 @@
 
 #include "zero_set.h"
 
+#include <CGAL/Protrusion_segmentation/internal/inline.h>
+
 #include <limits>
 
 namespace test_meshes
@@ -85,7 +87,11 @@ private:
 
 // The surface of `body` in triangles with edges of about half the length `cell`. The true part of
 // a face is that of the stick whose surface is nearest to its centroid.
-inline Test_mesh implicit_mesh(const Implicit_body& body, double cell)
+Test_mesh implicit_mesh(const Implicit_body& body, double cell);
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE Test_mesh implicit_mesh(const Implicit_body& body, double cell)
 {
   const auto value = [&](const Point& p) { return body.value(p); };
   Test_mesh mesh = zero_set(value, body.box(), cell);
@@ -93,6 +99,8 @@ inline Test_mesh implicit_mesh(const Implicit_body& body, double cell)
     mesh.parts[f] = body.part(centroid(mesh, mesh.faces[f]));
   return mesh;
 }
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES
 
 } // namespace test_meshes
 

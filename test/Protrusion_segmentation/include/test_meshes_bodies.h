@@ -23,11 +23,25 @@ inline Point spread_direction(std::size_t i, std::size_t n)
 
 // A ball of radius 1 with `arms` sticks. Arm i reaches `arm_length` * (1 + i * `length_step`) out
 // of the ball: with a positive step no two arms tie. Parts: 0 the ball, 1 + i the i-th arm.
-inline Test_mesh star(std::size_t arms,
-                      double arm_length = 2,
-                      double arm_radius = 0.25,
-                      double length_step = 0.04,
-                      double cell = 0.22)
+Test_mesh star(std::size_t arms,
+               double arm_length = 2,
+               double arm_radius = 0.25,
+               double length_step = 0.04,
+               double cell = 0.22);
+
+// A trunk with four legs, and a neck with a head at its +x end.
+// Parts: 0 the trunk, 1 to 4 the legs (one a bit longer than the other), 5 the neck and the head.
+Test_mesh creature(double cell = 0.16);
+
+// A ball of radius 1 with two arms along -x and +x that end in palms with `fingers` fingers each:
+// protrusions on protrusions; up to four fingers have room. Parts: 0 the ball, then for each arm
+// the arm with its palm followed by its fingers.
+Test_mesh body_with_hands(std::size_t fingers = 3, double cell = 0.13);
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE Test_mesh
+star(std::size_t arms, double arm_length, double arm_radius, double length_step, double cell)
 {
   std::vector<Stick> sticks = {ball({0, 0, 0}, 1, 0)};
   for (std::size_t i = 0; i < arms; ++i)
@@ -38,9 +52,7 @@ inline Test_mesh star(std::size_t arms,
   return implicit_mesh(Implicit_body(sticks, 0.03), cell);
 }
 
-// A trunk with four legs, and a neck with a head at its +x end.
-// Parts: 0 the trunk, 1 to 4 the legs (one a bit longer than the other), 5 the neck and the head.
-inline Test_mesh creature(double cell = 0.16)
+CGAL_PROTRUSION_SEGMENTATION_INLINE Test_mesh creature(double cell)
 {
   std::vector<Stick> sticks = {{{-1, 0, 0}, {1, 0, 0}, 0.55, 0.55, 0}};
   std::size_t part = 1;
@@ -55,10 +67,7 @@ inline Test_mesh creature(double cell = 0.16)
   return implicit_mesh(Implicit_body(sticks, 0.04), cell);
 }
 
-// A ball of radius 1 with two arms along -x and +x that end in palms with `fingers` fingers each:
-// protrusions on protrusions; up to four fingers have room. Parts: 0 the ball, then for each arm
-// the arm with its palm followed by its fingers.
-inline Test_mesh body_with_hands(std::size_t fingers = 3, double cell = 0.13)
+CGAL_PROTRUSION_SEGMENTATION_INLINE Test_mesh body_with_hands(std::size_t fingers, double cell)
 {
   std::vector<Stick> sticks = {ball({0, 0, 0}, 1, 0)};
   std::size_t part = 1;
@@ -77,6 +86,8 @@ inline Test_mesh body_with_hands(std::size_t fingers = 3, double cell = 0.13)
   }
   return implicit_mesh(Implicit_body(sticks, 0.03), cell);
 }
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES
 
 } // namespace test_meshes
 
