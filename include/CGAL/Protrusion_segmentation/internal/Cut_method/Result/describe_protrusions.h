@@ -54,7 +54,7 @@ private:
     result.parent = m_segments.parents()[s];
     result.value = m_segments.cut(s)->value;
     result.probability = m_segments.cut(s)->probability;
-    result.area = m_segments.areas_beyond()[s];
+    result.area = m_segments.areas_beyond()[s] * m_unit * m_unit;
     result.border_length = border_length(s) * m_unit;
     return result;
   }
