@@ -84,7 +84,6 @@ struct Cut_options
 
   std::size_t level_sets = 10;      // candidates of a segment that are level sets of distances from tips,
   std::size_t regions = 8;          // and connected regions
-  std::size_t refined = 6;          // of these, the ones of largest value get minimum cuts
   std::size_t number_of_sets = 3;   // width of the beam; wider ones exploit errors of the value
   std::size_t cuts_of_set = 4;      // further cuts of a set of cuts that are looked at
   std::size_t searched_at_once = 2; // segments, side by side; more are searched in vain

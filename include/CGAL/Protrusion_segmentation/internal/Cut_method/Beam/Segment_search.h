@@ -59,7 +59,7 @@ private:
 };
 
 // Searches segments for their best cuts, step by step: orders of their nodes by the distance from tips, level sets of
-// these and regions, candidates, the cuts around these, and minimum cuts near the best ones. Each step is one loop over the
+// these and regions, candidates, and minimum cuts near these. Each step is one loop over the
 // work of all segments, so that several threads share it.
 class Segment_search
 {
@@ -208,46 +208,20 @@ private:
     work.cuts.resize(work.candidates.size());
   }
 
-  // The cuts around the candidates; the best of them become minimum cuts, the others are dropped.
+  // The cuts around the candidates. Around a tip there is always something to be cut off if it is asked for; a region is a
+  // guess, and there is no cut if it is a wrong one.
   void make_cuts(std::vector<Work>& all)
   {
-    const std::size_t most = m_options.level_sets + m_options.regions;
-    for_each(all.size(), most,
+    for_each(all.size(), m_options.level_sets + m_options.regions,
              [&](Search_workspace& workspace, std::size_t s, std::size_t i)
              {
-               if (i < all[s].candidates.size())
-                 all[s].cuts[i] = workspace.cutter.cut_around(*all[s].segment, all[s].candidates[i].nodes);
+               if (i >= all[s].candidates.size())
+                 return;
+               const Candidate& candidate = all[s].candidates[i];
+               std::optional<Cut> cut = workspace.cutter.cut_around(*all[s].segment, candidate.nodes);
+               if (cut && (cut->value >= 0 || !candidate.is_region))
+                 all[s].cuts[i] = std::move(cut);
              });
-    for (Work& work : all)
-      keep_best(work);
-    for_each(all.size(), most,
-             [&](Search_workspace& workspace, std::size_t s, std::size_t i)
-             {
-               if (i < all[s].cuts.size() && all[s].cuts[i])
-                 refine(workspace.cutter, *all[s].segment, all[s].candidates[i].is_region, all[s].cuts[i]);
-             });
-  }
-
-  // Around a tip there is always something to be cut off if it is asked for; a region is a guess, and there is no cut if it is
-  // a wrong one.
-  static void refine(Cutter& cutter, const Segment& segment, bool is_region, std::optional<Cut>& cut)
-  {
-    cut = cutter.refined(segment, std::move(*cut));
-    if (is_region && cut->value < 0)
-      cut.reset();
-  }
-
-  // Drops the cuts that are not among the ones of largest value; the first of equals stay.
-  void keep_best(Work& work) const
-  {
-    std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < work.cuts.size(); ++i)
-      if (work.cuts[i])
-        order.push_back(i);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return work.cuts[a]->value > work.cuts[b]->value; });
-    for (std::size_t i = m_options.refined; i < order.size(); ++i)
-      work.cuts[order[i]].reset();
   }
 
   // Minimum cuts near different candidates may be the same. Then they would keep the beam from what is different.

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,12 +25,11 @@ namespace CGAL::Protrusion_segmentation::internal {
 // A cut of a segment in two connected sides.
 struct Cut
 {
-  Nodes inner;                  // the side of smaller area
-  double relative_cost = 0;     // see `Bisection::relative_cost()`
-  double root_of_areas = 0;     // of the product of the areas of both sides
+  Nodes inner;              // the side of smaller area
+  double root_of_areas = 0; // of the product of the areas of both sides
   Cut_clues clues = {};
-  double value = 0;             // higher is better, below 0 it separates what belongs together
-  double probability = 0;       // that people put the sides into different segments
+  double value = 0;         // higher is better, below 0 it separates what belongs together
+  double probability = 0;   // that people put the sides into different segments
 };
 
 // Values a cut by its clues: the expected gain in pairs of points that are rightly together or apart. That is the
@@ -61,43 +61,37 @@ public:
       m_minimum_cut(partition, distances)
   {}
 
-  // The cut around one side of a segment, which is made connected; none if a side is too small to be a segment.
-  std::optional<Cut> cut_around(const Segment& segment, const Nodes& side)
+  // The cut around some nodes of a segment, both sides made connected, or the minimum cut near it if this is cheaper for the
+  // areas of its sides; none if a side is too small to be a segment.
+  std::optional<Cut> cut_around(const Segment& segment, const Nodes& nodes)
   {
     Bisection bisection(m_partition, segment);
-    bisection.set_side(side);
-    return valued(bisection);
-  }
-
-  // A cut of a segment, or the minimum cut near it if this is cheaper for the areas of its sides.
-  Cut refined(const Segment& segment, Cut cut)
-  {
-    constexpr Band band = {0.35, 1.4, 0.7};
-    Bisection bisection(m_partition, segment);
-    m_partition.mark(segment.nodes, cut.inner);
-    const Nodes moved = m_minimum_cut.nodes_to_move(cut.inner, band);
-    if (moved.empty())
-      return cut;
-    Nodes side;
-    std::set_symmetric_difference(cut.inner.begin(), cut.inner.end(), moved.begin(), moved.end(), std::back_inserter(side));
-    bisection.set_side(side);
-    if (!(bisection.relative_cost() < cut.relative_cost))
-      return cut;
-    return *valued(bisection);
-  }
-
-private:
-  std::optional<Cut> valued(const Bisection& bisection)
-  {
+    bisection.set_side(nodes);
+    move_to_minimum_cut(bisection);
     if (!bisection.has_large_sides())
       return std::nullopt;
     Cut cut;
     cut.inner = bisection.inner();
-    cut.relative_cost = bisection.relative_cost();
-    cut.root_of_areas = std::sqrt(bisection.inner_area() * (bisection.segment().area - bisection.inner_area()));
+    cut.root_of_areas = std::sqrt(bisection.inner_area() * (segment.area - bisection.inner_area()));
     cut.clues = Clues_of_cut(m_graph, bisection)(m_strips);
     value_by_clues(m_options.weights, cut);
     return cut;
+  }
+
+private:
+  void move_to_minimum_cut(Bisection& bisection)
+  {
+    constexpr Band band = {0.35, 1.4, 0.7};
+    const Nodes moved = m_minimum_cut.nodes_to_move(bisection.inner(), band);
+    if (moved.empty())
+      return;
+    const Nodes old_side = bisection.inner();
+    const double old_cost = bisection.relative_cost();
+    Nodes side;
+    std::set_symmetric_difference(old_side.begin(), old_side.end(), moved.begin(), moved.end(), std::back_inserter(side));
+    bisection.set_side(side);
+    if (!(bisection.relative_cost() < old_cost))
+      bisection.set_side(old_side);
   }
 
   const Volume_graph& m_graph;
