@@ -212,9 +212,11 @@ private:
   // guess, and there is no cut if it is a wrong one.
   void make_cuts(std::vector<Work>& all)
   {
-    for_each(all.size(), m_options.level_sets + m_options.regions,
+    const std::size_t most = m_options.level_sets + m_options.regions;
+    for_each(all.size(), most,
              [&](Search_workspace& workspace, std::size_t s, std::size_t i)
              {
+               m_execution.progress(static_cast<double>(s * most + i) / static_cast<double>(all.size() * most));
                if (i >= all[s].candidates.size())
                  return;
                const Candidate& candidate = all[s].candidates[i];
