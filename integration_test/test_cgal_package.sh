@@ -72,6 +72,6 @@ shows "is not in examples.txt" sed -i 1d doc/Protrusion_segmentation/examples.tx
 shows "all_public_headers.h disagrees about" \
   sed -i '/IO.SEG/d' test/Protrusion_segmentation/include/all_public_headers.h
 shows "a named parameter that CGAL does not have" sed -i '0,/cgalParamNBegin{[a-z_]*}/s//cgalParamNBegin{vertex_point_mop}/' \
-  include/CGAL/protrusion_segmentation.h
+  include/CGAL/Protrusion_segmentation/segmentation_via_protrusion_tips.h
 shows "dependencies" append package_info/Protrusion_segmentation/dependencies 'AABB_tree\n'
 [ $failures = 0 ]
