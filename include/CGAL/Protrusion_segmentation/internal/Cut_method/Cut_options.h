@@ -51,6 +51,8 @@ struct Cut_weights
   double smaller_shoulder = 1;
   double roundness = -0.6;
   double neighbors = -1;
+  double surrounded = -6; // what has little but earlier borders around it is a part of the core between limbs
+  double most_neighbors = 1.2;
   double contrast = 0.4;
   double mean_cost = -0.8;
   double thickness = 0.3;
@@ -67,6 +69,7 @@ struct Cut_weights
            segment_size * clues.segment_size + larger_widening * clues.larger_widening +
            smaller_widening * clues.smaller_widening + larger_shoulder * shoulder +
            smaller_shoulder * clues.smaller_shoulder + roundness * clues.roundness + neighbors * clues.neighbors +
+           surrounded * (std::max)(0., clues.neighbors - most_neighbors) +
            contrast * clues.contrast + mean_cost * clues.mean_cost + thickness * clues.thickness +
            several_loops * clues.several_loops + flatness * (std::max)(0., clues.flatness - least_flatness);
   }
