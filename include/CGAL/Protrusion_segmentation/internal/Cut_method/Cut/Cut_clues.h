@@ -156,7 +156,9 @@ public:
     clues.neighbors = std::log(1 + m_earlier_length / m_length);
     clues.contrast = (std::max)(inside.contrast, outside.contrast);
     clues.mean_cost = std::log(m_cost / m_length + 0.02);
-    clues.thickness = std::log((std::max)(0.001, 4 * volume() / (m_smaller_area * std::sqrt(opening() + 0.02 * m_smaller_area))));
+    const double thickness = 4 * volume() / (m_smaller_area * std::sqrt(opening() + 0.02 * m_smaller_area));
+    clues.thickness = std::log((std::max)(0.001, std::abs(thickness)));
+    clues.pocket = (std::max)(0., -thickness);
     clues.several_loops = has_several_loops(along_inside, along_outside) ? 1 : 0;
     clues.flatness = (1 - m_openness) * std::sqrt(m_area_vector.squared_length()) / m_smaller_area;
     return clues;
@@ -218,11 +220,12 @@ private:
       (std::min)(1., std::sqrt(m_along_surface_border.squared_length()) / (openness_of_half_circle * m_length));
   }
 
-  // of the smaller side, closed by a cone over the cut
+  // of the smaller side, closed by a cone over the cut; negative if it goes into the body
   double volume() const
   {
-    return (std::max)(m_openness * m_smaller_area * length_around() / (4 * CGAL_PI),
-                      std::abs(m_flux - m_area_vector * m_centre) / 3);
+    const double volume = m_graph.outward * (m_flux - m_area_vector * m_centre) / 3;
+    const double of_half_cylinder = m_openness * m_smaller_area * length_around() / (4 * CGAL_PI);
+    return std::abs(volume) < of_half_cylinder ? of_half_cylinder : volume;
   }
 
   bool has_several_loops(const Nodes& along_inside, const Nodes& along_outside) const

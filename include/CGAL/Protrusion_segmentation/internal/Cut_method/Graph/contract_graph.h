@@ -197,6 +197,8 @@ Contracted<Graph> contract(const Graph& graph, const Centres& centre_of_node, Cl
   Arc_merger<Merged_border>(graph.first_arc, graph.target, clusters.of_node, sets)(
     result.graph.first_arc, result.graph.target, is_parallel, add, append);
   measure_lengths(result.graph, result.centre, is_parallel);
+  if constexpr (has_seams)
+    result.graph.outward = graph.outward;
   result.node = std::move(clusters.of_node);
   return result;
 }
