@@ -55,7 +55,6 @@ constexpr std::array<Named_weight, 19> named_weights = {
    {"smaller_shoulder", &Cut_weights::smaller_shoulder, 1},
    {"roundness", &Cut_weights::roundness, 0.3},
    {"neighbors", &Cut_weights::neighbors, 0.3},
-   {"contrast", &Cut_weights::contrast, 0.3},
    {"mean_cost", &Cut_weights::mean_cost, 0.3},
    {"thickness", &Cut_weights::thickness, 0.3},
    {"surrounded", &Cut_weights::surrounded, 2},

@@ -25,7 +25,6 @@ struct Cut_clues
   double smaller_shoulder; // a wall that a rod sticks out of, 0 along the rod, -1 at its end; of the two sides
   double roundness;        // log of the area of the opening relative to a circle of the cut's length
   double neighbors;        // log of the length of earlier borders around the smaller side relative to the cut
-  double contrast;         // log of the cost of a cut beside this one relative to it, on the dearer side
   double mean_cost;        // log of the cost of a unit of length
   double thickness;        // log of the volume of the smaller side relative to its area and opening
   double pocket;           // of a smaller side that goes into the body, its volume relative to its area and opening, else 0
@@ -38,7 +37,7 @@ struct Cut_clues
 // benchmark by `fit_cut_weights`. Decisions and figures are in decisions.md of the benchmark.
 struct Cut_weights
 {
-  double bias = -3;
+  double bias = -2.5;
   double concave_share = 6;
   double relative_length = -3.7;
   // of a cut that leaves six times as much tube as it is wide: shorter cuts across a smooth tube say no more
@@ -54,11 +53,10 @@ struct Cut_weights
   double neighbors = -1;
   double surrounded = -6; // what has little but earlier borders around it is a part of the core between limbs
   double most_neighbors = 1.2;
-  double contrast = 0.4;
   double mean_cost = -0.8;
   double thickness = 0.3;
   double pocket = -10; // what goes in is no protrusion
-  double several_loops = -1.5;
+  double several_loops = -0.8;
   double flatness = -12; // a hill, a scale or a pocket faces one way as a whole and is no protrusion
   double least_flatness = 0.6;
 
@@ -72,7 +70,7 @@ struct Cut_weights
            smaller_widening * clues.smaller_widening + larger_shoulder * shoulder +
            smaller_shoulder * clues.smaller_shoulder + roundness * clues.roundness + neighbors * clues.neighbors +
            surrounded * (std::max)(0., clues.neighbors - most_neighbors) +
-           contrast * clues.contrast + mean_cost * clues.mean_cost + thickness * clues.thickness +
+           mean_cost * clues.mean_cost + thickness * clues.thickness +
            pocket * clues.pocket + several_loops * clues.several_loops + flatness * (std::max)(0., clues.flatness - least_flatness);
   }
 };

@@ -23,7 +23,7 @@ namespace CGAL::Protrusion_segmentation::internal {
 // The strip beside a cut on one of its sides.
 struct Cut_strip
 {
-  double widening, shoulder, contrast; // see `Cut_clues`
+  double widening, shoulder; // see `Cut_clues`
 };
 
 // Measures the strips beside cuts. Where the surface widens, a strip is larger than its length and width say: the sudden
@@ -36,7 +36,7 @@ public:
 
   // The arguments must outlive the object.
   Strip_measurer(const Volume_graph& graph, Graph_distances& distances)
-    : m_graph(graph), m_distances(distances), m_share(graph.number_of_nodes(), 0)
+    : m_graph(graph), m_distances(distances)
   {
     for (double area : graph.area)
       m_largest_size = (std::max)(m_largest_size, std::sqrt(area));
@@ -45,8 +45,8 @@ public:
   // The cut that a strip lies beside.
   struct Cut_measures
   {
-    double length, cost;
-    Vector_3 opening;     // its area vector, out of the inner side
+    double length;
+    Vector_3 opening;      // its area vector, out of the inner side
     double share_of_sheet; // 1 if it crosses a sheet, 0 if it goes around a body, or half a one
   };
 
@@ -65,40 +65,22 @@ public:
     for (std::size_t i = 0; i < near.nodes.size(); ++i)
     {
       const Index node = near.nodes[i];
-      m_share[node] = share_of_strip(width - near.distances[i], m_graph.area[node]);
-      area += m_share[node] * m_graph.area[node];
-      area_vector += double(m_share[node]) * m_graph.area_vector[node];
+      const double share = share_of_strip(width - near.distances[i], m_graph.area[node]);
+      area += share * m_graph.area[node];
+      area_vector += share * m_graph.area_vector[node];
     }
     const double widening = (std::max)(least_widening, area / (cut.length * width));
-    const double far_cost = cost_of_far_edge(near.nodes, partition, inner);
-    for (Index node : near.nodes)
-      m_share[node] = 0;
     return {std::log(widening),
             cut.share_of_sheet * flat_shoulder(widening, width, cut.length) +
-              (1 - cut.share_of_sheet) * shoulder(area_vector, area, inner, cut.opening),
-            std::log((far_cost + 0.1 * cut.cost) / cut.cost)};
+              (1 - cut.share_of_sheet) * shoulder(area_vector, area, inner, cut.opening)};
   }
 
 private:
   // The share of a node in a strip that reaches `depth` beyond its centre. A strip is few nodes wide: taken as a whole or
   // not at all, nodes would make its area a matter of chance.
-  static float share_of_strip(double depth, double area)
+  static double share_of_strip(double depth, double area)
   {
-    return static_cast<float>((std::min)(1., (std::max)(0., depth / std::sqrt(area) + 0.5)));
-  }
-
-  // The cost of a cut along the far edge of the strip.
-  double cost_of_far_edge(const Nodes& nodes, const Graph_partition& partition, bool inner) const
-  {
-    double cost = 0;
-    for (Index i : nodes)
-      for (Index arc : m_graph.arcs(i))
-      {
-        const Index j = m_graph.target[arc];
-        if (m_share[j] < m_share[i] && partition.is_on_side(j, inner))
-          cost += m_graph.capacity[arc] * (m_share[i] - m_share[j]);
-      }
-    return cost;
+    return (std::min)(1., (std::max)(0., depth / std::sqrt(area) + 0.5));
   }
 
   // The opening grows by the faces of the strip as seen along the axis of the cut, away from the other side. What
@@ -119,8 +101,7 @@ private:
 
   const Volume_graph& m_graph;
   Graph_distances& m_distances;
-  double m_largest_size = 0;  // of a node: the square root of its area
-  std::vector<float> m_share; // of every node in the strip that is measured
+  double m_largest_size = 0; // of a node: the square root of its area
 };
 
 // Computes the clues of the cut of a bisection.
@@ -143,7 +124,7 @@ public:
   Cut_clues operator()(Strip_measurer& measure_strip)
   {
     const auto [along_inside, along_outside] = m_bisection.partition().nodes_along_cut(m_bisection.inner());
-    const Strip_measurer::Cut_measures cut{m_length, m_cost, m_opening, share_of_sheet()};
+    const Strip_measurer::Cut_measures cut{m_length, m_opening, share_of_sheet()};
     const Cut_strip inside = measure_strip(m_bisection, along_inside, true, cut);
     const Cut_strip outside = measure_strip(m_bisection, along_outside, false, cut);
     Cut_clues clues;
@@ -154,7 +135,6 @@ public:
     std::tie(clues.smaller_shoulder, clues.larger_shoulder) = std::minmax({inside.shoulder, outside.shoulder});
     clues.roundness = std::log(4 * CGAL_PI * opening() / CGAL::square(length_around()) + 0.05);
     clues.neighbors = std::log(1 + m_earlier_length / m_length);
-    clues.contrast = (std::max)(inside.contrast, outside.contrast);
     clues.mean_cost = std::log(m_cost / m_length + 0.02);
     const double thickness = 4 * volume() / (m_smaller_area * std::sqrt(opening() + 0.02 * m_smaller_area));
     clues.thickness = std::log((std::max)(0.001, std::abs(thickness)));
