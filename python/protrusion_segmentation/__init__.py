@@ -9,8 +9,8 @@ A mesh is given as vertices, an array of shape (n, 3), and faces: an array of sh
 (m, k) for polygons of k corners, or a sequence of polygons of any sizes. Corners are numbers of vertices, from 0.
 
 Every face gets a label, in the order of the faces given. Faces that are no surface are repaired: vertices at one place
-count as one, wrong orientations are reversed, and at edges of more than two faces two of them are joined. Degenerate
-faces get the label of a neighbour, duplicate faces that of the first copy.
+count as one, wrong orientations are reversed, and at edges of more than two faces those that bound the same solid are
+joined. Degenerate faces get the label of a neighbour, duplicate faces that of the first copy.
 
 Arguments that make no sense raise ValueError, which names the argument and what it may be. While a function computes,
 other threads run, and Ctrl-C stops it with KeyboardInterrupt.

@@ -18,7 +18,7 @@ struct Polygon_soup_repairs
 {
   /// polygons with fewer than three different corners, left out
   std::size_t degenerate_polygons = 0;
-  /// polygons with the same corners as an earlier one, in the same or in reverse order, left out
+  /// polygons with the same corners as another one of the same surface, in the same or in reverse order, left out
   std::size_t duplicate_polygons = 0;
   /// edges of more than two polygons, duplicates not counted
   std::size_t non_manifold_edges = 0;
@@ -27,7 +27,7 @@ struct Polygon_soup_repairs
   std::size_t unorientable_edges = 0;
   /// polygons that were turned over to be oriented as their neighbors are
   std::size_t reversed_polygons = 0;
-  /// small components, and walls between two solids, that touch the rest, left out with all their polygons
+  /// small components, and single walls between two solids, that touch the rest, left out with all their polygons
   std::size_t small_components = 0;
   /// connected components of the mesh; no repair
   std::size_t components = 0;

@@ -30,16 +30,17 @@ connected surfaces, in which one duplicate polygon must not separate its neighbo
 - A polygon with fewer than three different corners is left out. Its label is that of a neighbor: of the face that
   shares the most corners with it, or else of the face before it.
 - Of duplicate polygons, which have the same corners in the same order or reversed, the first one becomes a face. The
-  others get its label.
+  others get its label. Polygons of different closed surfaces are no duplicates: where solids touch, each has a wall of its
+  own. A closed surface that lies on another one with all its polygons is a duplicate.
 - Polygons are joined along their edges: first where exactly two polygons have the same two points, then where exactly
   two have edges with the same coordinates, so that polygons without shared points are connected, too. If more polygons
-  meet at an edge, the two with the smallest angle between them are joined, then the next two. Walls, which are polygons
-  with a duplicate, come last.
+  meet at an edge, those are joined between which a solid lies, as their orientations tell. If these do not fit, the two
+  with the smallest angle between them are joined, then the next two, polygons with a duplicate last.
 - Polygons are reversed so that joined ones have the same orientation, as few as possible in each component. A surface
   without an orientation, such as a Moebius strip, is cut at some edges. A point at which several fans of faces meet
   gets a vertex for each of them.
 - <em>Small components</em> are left out, and get the label of a neighbor: components with less than a thousandth of the whole area,
-  and walls between two solids, if they share a point with the rest. A component that touches nothing is kept, however
+  and single walls between two solids, if they share a point with the rest. A component that touches nothing is kept, however
   small.
 
 Points are at the same place if their coordinates are equal, after conversion to `double` by `CGAL::to_double()`:

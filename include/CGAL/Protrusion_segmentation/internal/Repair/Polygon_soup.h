@@ -59,7 +59,8 @@ struct Polygon_soup
 
 // Along the normal of the polygon and as long as its area is large.
 template <typename Corners>
-Polygon_soup::Vector_3 area_vector(const std::vector<Polygon_soup::Point_3>& points, const Corners& corners)
+Polygon_soup::Vector_3 area_vector(const std::vector<Polygon_soup::Point_3>& points,
+                                   const Corners& corners)
 {
   std::vector<Polygon_soup::Point_3> polygon;
   for (const std::size_t corner : corners)

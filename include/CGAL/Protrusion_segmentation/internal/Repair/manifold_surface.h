@@ -7,10 +7,10 @@
 
 #include <CGAL/Protrusion_segmentation/Polygon_soup_repairs.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Edge_pairs.h>
-#include <CGAL/Protrusion_segmentation/internal/Repair/Parity_sets.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/Joined_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
-#include <CGAL/Protrusion_segmentation/internal/Repair/Vertex_fans.h>
-#include <CGAL/Protrusion_segmentation/internal/Repair/choose_faces.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/Radial_order.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/closed_surfaces.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/small_components.h>
 
 #include <algorithm>
@@ -23,32 +23,14 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// The chosen faces and how they are joined.
-struct Joined_faces
-{
-  Joined_faces(const Polygon_soup& soup,
-               const std::vector<std::size_t>& places,
-               const std::vector<bool>& is_left_out)
-    : choice(choose_faces(soup.polygons, places, is_left_out)),
-      pairs(soup.points, choice, places),
-      is_turned(pairs.turned_faces()),
-      fans(pairs, is_turned)
-  {}
-  Joined_faces(const Joined_faces&) = delete; // its members refer to each other
-  Joined_faces& operator=(const Joined_faces&) = delete;
-
-  Face_choice choice;
-  Edge_pairs pairs;
-  std::vector<bool> is_turned;
-  Vertex_fans fans;
-};
-
 // Finds the components that get the labels of their neighbours and no segments of their own: small ones, and walls
 // between two solids, all edges of which are shared with two or more other faces. They must touch a component that remains.
 class Left_out_components
 {
 public:
-  Left_out_components(const Polygon_soup& soup, const std::vector<std::size_t>& places, const Joined_faces& joined)
+  Left_out_components(const Polygon_soup& soup,
+                      const std::vector<std::size_t>& places,
+                      const Joined_faces& joined)
     : m_soup(soup),
       m_places(places),
       m_joined(joined),
@@ -109,18 +91,13 @@ private:
   // Those that touch nothing but others that are left out, or nothing at all.
   void keep_isolated_ones()
   {
-    Parity_sets clusters(m_places.size());
-    for (std::size_t face = 0; face < m_component.size(); ++face)
-      for (const std::size_t corner : m_joined.choice.polygons[face])
-        clusters.unite(m_places[m_joined.choice.polygons[face].front()], m_places[corner], false);
-    const auto cluster_of = [&](std::size_t face)
-    { return clusters.find(m_places[m_joined.choice.polygons[face].front()]).first; };
+    const std::vector<std::size_t> cluster = clusters_of_polygons(m_joined.choice.polygons, m_places);
     std::vector<bool> has_more(m_places.size(), false);
     for (std::size_t face = 0; face < m_component.size(); ++face)
       if (!m_is_left_out[m_component[face]])
-        has_more[cluster_of(face)] = true;
+        has_more[cluster[face]] = true;
     for (std::size_t face = 0; face < m_component.size(); ++face)
-      if (!has_more[cluster_of(face)])
+      if (!has_more[cluster[face]])
         m_is_left_out[m_component[face]] = false;
   }
 
@@ -128,7 +105,7 @@ private:
   const std::vector<std::size_t>& m_places;
   const Joined_faces& m_joined;
   std::vector<std::size_t> m_component; // of each chosen face
-  std::vector<bool> m_is_left_out;         // of each component
+  std::vector<bool> m_is_left_out;      // of each component
 };
 
 // The faces of a surface that any mesh type can hold, and how they belong to the polygons of a soup.
@@ -185,17 +162,23 @@ inline Manifold_surface manifold_surface(Polygon_soup soup)
   const std::vector<std::size_t> place_of = places(soup.points);
   scale_to_unit(soup);
   std::vector<bool> is_left_out(soup.polygons.size(), false);
-  auto joined = std::make_unique<Joined_faces>(soup, place_of, is_left_out);
+  std::vector<std::size_t> surfaces(soup.polygons.size(), open_surface);
+  auto joined = std::make_unique<Joined_faces>(soup, place_of, surfaces, is_left_out);
+  if (joined->choice.duplicate_polygons > 0) // walls between closed surfaces are none
+  {
+    surfaces = closed_surfaces(soup, place_of);
+    joined = std::make_unique<Joined_faces>(soup, place_of, surfaces, is_left_out);
+  }
   Polygon_soup_repairs& repairs = surface.repairs;
   repairs.degenerate_polygons = joined->choice.degenerate_polygons;
   repairs.duplicate_polygons = joined->choice.duplicate_polygons;
   repairs.non_manifold_edges = joined->pairs.number_of_non_manifold_edges();
   repairs.small_components = Left_out_components(soup, place_of, *joined).leave_out(is_left_out);
   if (repairs.small_components > 0) // then the rest is joined anew
-    joined = std::make_unique<Joined_faces>(soup, place_of, is_left_out);
+    joined = std::make_unique<Joined_faces>(soup, place_of, surfaces, is_left_out);
   repairs.unorientable_edges = joined->pairs.number_of_unorientable_edges();
-  repairs.reversed_polygons =
-    std::size_t(std::count(joined->is_turned.begin(), joined->is_turned.end(), true));
+  repairs.reversed_polygons = std::size_t(
+    std::count(joined->is_turned.begin(), joined->is_turned.end(), true));
   repairs.components = number_of_components(joined->pairs);
   number_vertices(*joined, surface);
   surface.polygon_of_face = std::move(joined->choice.kept);

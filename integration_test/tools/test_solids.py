@@ -1,0 +1,63 @@
+# Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+#
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Solids that touch: in every format each is a segment of its own."""
+
+import itertools
+import struct
+
+import pytest
+
+from mesh_files import OffFile, labels
+
+# The faces of a box, with corners numbered 4 x + 2 y + z, seen from outside.
+SIDES = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+
+
+def box(low, high):
+    """The triangles of a box, three points each."""
+    corners = list(itertools.product(*zip(low, high)))
+    return [tuple(corners[side[i]] for i in triangle)
+            for side in SIDES for triangle in ((0, 1, 2), (0, 2, 3))]
+
+
+def write_stl(path, triangles):
+    facets = (struct.pack("<12fH", 0, 0, 0, *itertools.chain(*triangle), 0)
+              for triangle in triangles)
+    path.write_bytes(bytes(80) + struct.pack("<I", len(triangles)) + b"".join(facets))
+
+
+def write_obj(path, triangles):
+    """With points of their own for every face."""
+    lines = [f"v {x} {y} {z}" for triangle in triangles for x, y, z in triangle]
+    lines += [f"f {i} {i + 1} {i + 2}" for i in range(1, 3 * len(triangles), 3)]
+    path.write_text("\n".join(lines) + "\n")
+
+
+WRITERS = pytest.mark.parametrize("name, write", [("a.stl", write_stl), ("a.obj", write_obj)])
+
+
+def closed_volumes(segment, folder, name, *options):
+    """The volumes of the closed parts; each must be closed."""
+    segment(name, *options, "--close", "-o", "parts/%d.off", "-o", "a.seg")
+    parts = [OffFile(folder / f"parts/{i}.off") for i in range(len(set(labels(folder / "a.seg"))))]
+    assert all(part.is_closed() for part in parts)
+    return [part.volume() for part in parts]
+
+
+@WRITERS
+def test_stack_of_cubes(segment, tmp_path, name, write):
+    cubes = [box(low, [x + 1 for x in low]) for low in itertools.product(range(10), repeat=3)]
+    write(tmp_path / name, [triangle for cube in cubes for triangle in cube])
+    segment(name, "-o", "a.seg")
+    found = labels(tmp_path / "a.seg")
+    assert len(set(found)) == 1000
+    assert all(len(set(found[i:i + 12])) == 1 for i in range(0, 12000, 12))
+
+
+@WRITERS
+def test_boxes_of_different_sizes(segment, tmp_path, name, write):
+    boxes = [box((0, 0, 0), (1, 1, 1)), box((1, 0, 0), (4, 1, 1)), box((0, 1, 0), (1, 3, 1))]
+    write(tmp_path / name, [triangle for box_ in boxes for triangle in box_])
+    volumes = closed_volumes(segment, tmp_path, name)
+    assert sorted(volumes) == pytest.approx([1, 2, 3])
