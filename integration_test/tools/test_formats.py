@@ -76,7 +76,7 @@ def test_number_of_faces(segment, data, name, message):
     ("facet_of_two_points.stl", "1 degenerate face has the label of a neighbour",
      "degenerate_faces", 1),
     ("double_sided.off", "6 duplicate faces have that of the first", "duplicate_faces", 6),
-    ("wall_between_solids.off", "", "components", 1),
+    ("wall_between_solids.off", "", "components", 2),
 ])
 def test_repairs(segment, data, name, message, key, number):
     assert message in segment(data / name).err

@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solids that touch: in every format each is a segment of its own."""
+"""Solids that touch, and hollow ones: in every format each is a segment of its own."""
 
 import itertools
 import struct
@@ -61,3 +61,17 @@ def test_boxes_of_different_sizes(segment, tmp_path, name, write):
     write(tmp_path / name, [triangle for box_ in boxes for triangle in box_])
     volumes = closed_volumes(segment, tmp_path, name)
     assert sorted(volumes) == pytest.approx([1, 2, 3])
+
+
+def turned(triangles):
+    return [(a, c, b) for a, b, c in triangles]
+
+
+@WRITERS
+def test_cavities(segment, tmp_path, name, write):
+    hollow = box((0, 0, 0), (9, 9, 9)) + turned(box((1, 1, 1), (4, 4, 4))) + turned(box((5, 5, 5), (8, 8, 8)))
+    write(tmp_path / name, hollow)
+    assert closed_volumes(segment, tmp_path, name) == pytest.approx([729 - 54])
+    solid = box((2, 2, 2), (3, 3, 3))
+    write(tmp_path / name, solid + hollow)
+    assert closed_volumes(segment, tmp_path, name, "-k", 2) == pytest.approx([729 - 54, 1])
