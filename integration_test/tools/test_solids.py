@@ -75,3 +75,17 @@ def test_cavities(segment, tmp_path, name, write):
     solid = box((2, 2, 2), (3, 3, 3))
     write(tmp_path / name, solid + hollow)
     assert closed_volumes(segment, tmp_path, name, "-k", 2) == pytest.approx([729 - 54, 1])
+
+
+@WRITERS
+def test_inside_out(segment, tmp_path, name, write):
+    inner, outer, beside = box((1, 1, 1), (2, 2, 2)), box((0, 0, 0), (3, 3, 3)), box((5, 0, 0), (6, 2, 2))
+    write(tmp_path / name, turned(outer))
+    assert "1 component is inside out" in segment(name).err
+    assert closed_volumes(segment, tmp_path, name) == pytest.approx([27])
+    write(tmp_path / name, inner + turned(outer) + beside)
+    assert segment.record(name)["surface"]["inside_out_components"] == 2
+    assert sorted(closed_volumes(segment, tmp_path, name)) == pytest.approx([4, 26])
+    write(tmp_path / name, turned(inner) + outer + beside)
+    assert "inside out" not in segment(name).err
+    assert sorted(closed_volumes(segment, tmp_path, name)) == pytest.approx([4, 26])

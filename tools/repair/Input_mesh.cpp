@@ -6,23 +6,26 @@
 
 #include "reading/Format_error.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/nested_components.h>
 #include <CGAL/Protrusion_segmentation/polygon_soup_to_manifold_mesh.h>
 
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace tool
-{
-namespace
-{
+namespace tool {
+namespace {
 
 namespace internal = CGAL::Protrusion_segmentation::internal;
 
@@ -131,6 +134,27 @@ bool build_sound_mesh(Input_mesh& input)
   return true;
 }
 
+// Turns over the closed components that are inside out, with the walls of their cavities. Returns their number.
+std::size_t turn_outward(Mesh& mesh)
+{
+  internal::Surface_arrays surface = internal::read_arrays(mesh, CGAL::parameters::default_values());
+  internal::scale_to_unit(surface.points);
+  const std::vector<internal::Surface_arrays::Index> components = internal::components_of_faces(surface);
+  const std::size_t number = 1 + *std::max_element(components.begin(), components.end());
+  const internal::Nested_components nested(surface, components, number);
+  std::vector<Face> faces;
+  std::size_t count = 0;
+  for (std::uint32_t c = 0; c < number; ++c)
+    if (nested.is_inside_out(c))
+    {
+      for (const std::uint32_t face : nested.faces(c))
+        faces.emplace_back(face);
+      ++count;
+    }
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(faces, mesh);
+  return count;
+}
+
 std::string counted(std::size_t count, const std::string& one, const std::string& more)
 {
   return std::to_string(count) + " " + (count == 1 ? one : more);
@@ -142,7 +166,9 @@ auto make_mesh(const Polygon_soup& soup, Mesh& mesh)
   {
     return CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(soup.points, soup.polygons, mesh);
   }
-  catch (const std::invalid_argument&) // whoever read the soup found all else, and named it in the words of the format
+  catch (
+    const std::
+      invalid_argument&) // whoever read the soup found all else, and named it in the words of the format
   {
     throw Format_error("has degenerate faces only: none has three different corners");
   }
@@ -154,18 +180,21 @@ Input_mesh make_input_mesh(Polygon_soup soup)
 {
   Input_mesh input;
   input.soup = std::move(soup);
-  if (build_sound_mesh(input))
-    return input;
-  auto result = make_mesh(input.soup, input.mesh);
-  input.label_giver.assign(result.face_of_polygon.begin(), result.face_of_polygon.end());
-  input.face_in_file = std::move(result.polygon_of_face);
-  input.point_of_vertex = std::move(result.point_of_vertex);
-  input.repairs = result.repairs;
+  if (!build_sound_mesh(input))
+  {
+    auto result = make_mesh(input.soup, input.mesh);
+    input.label_giver.assign(result.face_of_polygon.begin(), result.face_of_polygon.end());
+    input.face_in_file = std::move(result.polygon_of_face);
+    input.point_of_vertex = std::move(result.point_of_vertex);
+    input.repairs = result.repairs;
+  }
+  input.inside_out_components = turn_outward(input.mesh);
   return input;
 }
 
-std::string describe(const Repairs& repairs)
+std::string describe_repairs(const Input_mesh& input)
 {
+  const Repairs& repairs = input.repairs;
   std::vector<std::string> parts;
   if (repairs.degenerate_polygons > 0)
     parts.push_back(counted(repairs.degenerate_polygons, "degenerate face has", "degenerate faces have") +
@@ -174,14 +203,19 @@ std::string describe(const Repairs& repairs)
     parts.push_back(counted(repairs.duplicate_polygons, "duplicate face has", "duplicate faces have") +
                     " that of the first");
   if (repairs.non_manifold_edges > 0)
-    parts.push_back(counted(repairs.non_manifold_edges, "edge is", "edges are") + " of more than two faces");
+    parts.push_back(counted(repairs.non_manifold_edges, "edge is", "edges are") +
+                    " of more than two faces");
   if (repairs.unorientable_edges > 0)
     parts.push_back("cut open at " + counted(repairs.unorientable_edges, "edge", "edges") +
                     ", since the surface has no two sides");
   if (repairs.reversed_polygons > 0)
     parts.push_back(counted(repairs.reversed_polygons, "face was", "faces were") + " turned over");
   if (repairs.small_components > 0)
-    parts.push_back(counted(repairs.small_components, "small component has", "small components have") + " the label of a neighbour");
+    parts.push_back(counted(repairs.small_components, "small component has", "small components have") +
+                    " the label of a neighbour");
+  if (input.inside_out_components > 0)
+    parts.push_back(counted(input.inside_out_components, "component is", "components are") +
+                    " inside out, and treated as turned outward");
   if (!parts.empty())
     parts.push_back(counted(repairs.components, "component is", "components are") + " left");
   std::string line;

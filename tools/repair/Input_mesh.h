@@ -30,6 +30,7 @@ struct Input_mesh
   std::vector<std::size_t> face_in_file; // of each face of the mesh
   std::vector<std::size_t> point_of_vertex; // of each vertex of the mesh: its point in the soup
   Repairs repairs;
+  std::size_t inside_out_components = 0; // whose faces are turned over in the mesh
 };
 
 // By the package's `polygon_soup_to_manifold_mesh()`. Throws a `Format_error` if all faces are degenerate.
@@ -47,7 +48,7 @@ std::vector<T> spread(const std::vector<T>& of_mesh, const Input_mesh& input)
 }
 
 // In one line; empty if there was nothing to do.
-std::string describe(const Repairs& repairs);
+std::string describe_repairs(const Input_mesh& input);
 
 } // namespace tool
 

@@ -195,7 +195,7 @@ Findings segment_file(const std::string& input,
   if (options.are_borders_smooth)
     smooth(findings);
   for (const std::string& note :
-       {describe(findings.mesh.repairs), note_on_small_components(findings), note_on_number(options, findings.segmentation),
+       {describe_repairs(findings.mesh), note_on_small_components(findings), note_on_number(options, findings.segmentation),
         note_on_tips(findings), note_on_borders(findings)})
     findings.note = join_notes(findings.note, note);
   return findings;

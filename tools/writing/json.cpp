@@ -203,7 +203,8 @@ Json describe_surface(const Input_mesh& mesh)
     .add("duplicate_faces", repairs.duplicate_polygons)
     .add("non_manifold_edges", repairs.non_manifold_edges)
     .add("unorientable_edges", repairs.unorientable_edges)
-    .add("reversed_faces", repairs.reversed_polygons);
+    .add("reversed_faces", repairs.reversed_polygons)
+    .add("inside_out_components", mesh.inside_out_components);
   return object.take();
 }
 
