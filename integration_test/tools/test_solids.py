@@ -1,9 +1,10 @@
 # Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Solids that touch, and hollow ones: in every format each is a segment of its own."""
+"""Solids that touch, hollow ones, and such whose borders nearly agree."""
 
 import itertools
+import random
 import struct
 
 import pytest
@@ -89,3 +90,37 @@ def test_inside_out(segment, tmp_path, name, write):
     write(tmp_path / name, turned(inner) + outer + beside)
     assert "inside out" not in segment(name).err
     assert sorted(closed_volumes(segment, tmp_path, name)) == pytest.approx([4, 26])
+
+
+def shaken(triangles, distance):
+    generator = random.Random(0)
+    return [tuple(tuple(x + generator.uniform(-distance, distance) for x in point) for point in triangle)
+            for triangle in triangles]
+
+
+@WRITERS
+def test_corners_that_nearly_agree(segment, tmp_path, name, write):
+    write(tmp_path / name, shaken(box((0, 0, 0), (1, 1, 1)), 1e-6))
+    assert "nearly agree" in segment(name).err
+    assert closed_volumes(segment, tmp_path, name) == pytest.approx([1], abs=1e-4)
+    assert segment.record(name, "--weld", 0)["segments"] == 12
+
+
+@WRITERS
+def test_weld(segment, tmp_path, name, write):
+    write(tmp_path / name, shaken(box((0, 0, 0), (1, 1, 1)), 1e-3))
+    assert "hardly any faces share edges; --weld DISTANCE" in segment(name).err
+    assert closed_volumes(segment, tmp_path, name, "--weld", .01) == pytest.approx([1], abs=.01)
+    assert segment.record(name, "--weld", .01)["weld_distance"] == .01
+    for wrong in ("-1", "wide", "inf", "nan"):
+        segment.refuses(name, "--weld", wrong, code=2, message=f"'{wrong}' is no distance")
+
+
+@WRITERS
+def test_cracks(segment, tmp_path, name, write):
+    a, b, c = (0, 0, 0), (0, 1, 1), (0, 1, 0)  # a triangle of the first side, cut at the middle of an edge
+    middle = (1e-6, .5, .5)
+    triangles = [t for t in box((0, 0, 0), (1, 1, 1)) if set(t) != {a, b, c}]
+    write(tmp_path / name, triangles + [(a, middle, c), (middle, b, c)])
+    assert segment.record(name)["surface"]["split_edges"] == 1
+    assert closed_volumes(segment, tmp_path, name) == pytest.approx([1], abs=1e-4)

@@ -10,7 +10,8 @@ A mesh is given as vertices, an array of shape (n, 3), and faces: an array of sh
 
 Every face gets a label, in the order of the faces given. Faces that are no surface are repaired: vertices at one place
 count as one, wrong orientations are reversed, and at edges of more than two faces those that bound the same solid are
-joined. Degenerate faces get the label of a neighbour, duplicate faces that of the first copy.
+joined. Degenerate faces get the label of a neighbour, duplicate faces that of the first copy. Corners on borders that
+differ by rounding are joined. Closed components are turned outward.
 
 Arguments that make no sense raise ValueError, which names the argument and what it may be. While a function computes,
 other threads run, and Ctrl-C stops it with KeyboardInterrupt.
@@ -42,6 +43,7 @@ def segment(
     method: Method = "minimum-cut",
     distance: Optional[Distance] = None,
     random_seed: int = 0,
+    snapping_tolerance: Optional[float] = None,
 ) -> Labels:
     """Split a mesh into a body and its protrusions.
 
@@ -57,6 +59,8 @@ def segment(
         landmarks; "diffusion": how differently random walks spread; "heat": paths over the faces, by the heat method;
         "exact": exact paths over the faces, which take long on more than a few thousand faces
     random_seed : seed of all random choices; the same seed gives the same labels
+    snapping_tolerance : the distance up to which corners on borders count as one, and lie on an edge; 0 joins equal
+        corners only. Without it, those are joined that differ by rounding, about a millionth of the size
 
     Returns
     -------
@@ -71,7 +75,8 @@ def segment(
         If the mesh or an argument makes no sense.
     """
     count = None if number_of_segments is None else _integer("number_of_segments", number_of_segments)
-    return _core.segment(*_arrays(vertices, faces), count, *_choices(method, distance), _seed(random_seed))
+    choices, options = _choices(method, distance), (_seed(random_seed), _tolerance(snapping_tolerance))
+    return _core.segment(*_arrays(vertices, faces), count, *choices, *options)
 
 
 def segment_from_tips(
@@ -81,13 +86,14 @@ def segment_from_tips(
     method: Method = "minimum-cut",
     distance: Optional[Distance] = None,
     random_seed: int = 0,
+    snapping_tolerance: Optional[float] = None,
 ) -> Labels:
     """Cut off the protrusions at given tips, such as those of `tips()`, edited or picked by a user.
 
     Parameters
     ----------
     tips : the faces at the tips, as numbers from 0. A tip for which no border is found makes no segment.
-    vertices, faces, method, distance, random_seed : as for `segment()`
+    vertices, faces, method, distance, random_seed, snapping_tolerance : as for `segment()`
 
     Returns
     -------
@@ -96,7 +102,8 @@ def segment_from_tips(
     """
     picked = _integers("tips", tips).tolist()
     choices = _choices(method, distance)
-    return _core.segment_from_tips(*_arrays(vertices, faces), picked, *choices, _seed(random_seed))
+    options = _seed(random_seed), _tolerance(snapping_tolerance)
+    return _core.segment_from_tips(*_arrays(vertices, faces), picked, *choices, *options)
 
 
 @dataclass(frozen=True, eq=False)  # arrays have no one answer to whether they are equal
@@ -139,16 +146,18 @@ def hierarchy(
     method: Method = "minimum-cut",
     distance: Optional[Distance] = None,
     random_seed: int = 0,
+    snapping_tolerance: Optional[float] = None,
 ) -> Hierarchy:
     """Compute the nested protrusions of a mesh, to choose the number of segments afterwards.
 
     Parameters
     ----------
     maximum_number_of_segments : where to stop; the hierarchy ends earlier if no more borders are found
-    vertices, faces, method, distance, random_seed : as for `segment()`
+    vertices, faces, method, distance, random_seed, snapping_tolerance : as for `segment()`
     """
     count = _integer("maximum_number_of_segments", maximum_number_of_segments)
-    labels, parents = _core.hierarchy(*_arrays(vertices, faces), count, *_choices(method, distance), _seed(random_seed))
+    choices, options = _choices(method, distance), (_seed(random_seed), _tolerance(snapping_tolerance))
+    labels, parents = _core.hierarchy(*_arrays(vertices, faces), count, *choices, *options)
     return Hierarchy(parents=parents, finest_labels=labels)
 
 
@@ -158,13 +167,14 @@ def tips(
     number_of_tips: int,
     distance: Distance = "geodesic",
     random_seed: int = 0,
+    snapping_tolerance: Optional[float] = None,
 ) -> Labels:
     """Select the tips of protrusions: a face far from all others, then again and again the face farthest from all.
 
     Parameters
     ----------
     number_of_tips : at most the number of faces
-    vertices, faces, distance, random_seed : as for `segment()`
+    vertices, faces, distance, random_seed, snapping_tolerance : as for `segment()`
 
     Returns
     -------
@@ -172,7 +182,8 @@ def tips(
         The faces at the tips, in the order of selection in each connected component.
     """
     count = _integer("number_of_tips", number_of_tips)
-    return _core.tips(*_arrays(vertices, faces), count, _choice("distance", distance, get_args(Distance)), _seed(random_seed))
+    options = _seed(random_seed), _tolerance(snapping_tolerance)
+    return _core.tips(*_arrays(vertices, faces), count, _choice("distance", distance, get_args(Distance)), *options)
 
 
 class Metrics(NamedTuple):
@@ -273,3 +284,15 @@ def _seed(random_seed: int) -> int:
     if not 0 <= seed <= largest:
         raise ValueError(f"random_seed is {seed}, but it must be from 0 to {largest}")
     return seed
+
+
+def _tolerance(value: Optional[float]) -> Optional[float]:
+    if value is None:
+        return None
+    try:
+        tolerance = float(value)
+    except (TypeError, ValueError):
+        raise ValueError(f"snapping_tolerance is no number, but {value!r}") from None
+    if not 0 <= tolerance < float("inf"):
+        raise ValueError(f"snapping_tolerance is {value}, but it must be a distance, at least 0")
+    return tolerance

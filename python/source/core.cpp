@@ -44,9 +44,12 @@ std::vector<T> copy(const py::array_t<T, py::array::c_style>& array)
   return std::vector<T>(array.data(), array.data() + array.size());
 }
 
-Arrays copy(const Coordinates& vertices, const Integers& corners, const Integers& sizes)
+Arrays copy(const Coordinates& vertices,
+            const Integers& corners,
+            const Integers& sizes,
+            std::optional<double> snapping_tolerance = std::nullopt)
 {
-  return {copy(vertices), copy(corners), copy(sizes)};
+  return {copy(vertices), copy(corners), copy(sizes), snapping_tolerance};
 }
 
 Integers as_array(const Labels& values)
@@ -87,10 +90,11 @@ Integers segment(const Coordinates& vertices,
                  std::optional<Count> number_of_segments,
                  const std::string& method,
                  const std::optional<std::string>& distance,
-                 unsigned int random_seed)
+                 unsigned int random_seed,
+                 std::optional<double> snapping_tolerance)
 {
   return labels_of_faces(
-    copy(vertices, corners, sizes),
+    copy(vertices, corners, sizes, snapping_tolerance),
     [=](const tool::Input_mesh& input, auto labels, Stoppable& visitor)
     {
       const auto np = named_parameters(random_seed, visitor);
@@ -123,10 +127,11 @@ Integers segment_from_tips(const Coordinates& vertices,
                            const std::vector<std::int64_t>& tips,
                            const std::string& method,
                            const std::optional<std::string>& distance,
-                           unsigned int random_seed)
+                           unsigned int random_seed,
+                           std::optional<double> snapping_tolerance)
 {
   return labels_of_faces(
-    copy(vertices, corners, sizes),
+    copy(vertices, corners, sizes, snapping_tolerance),
     [=](const tool::Input_mesh& input, auto labels, Stoppable& visitor)
     {
       const std::vector<tool::Face> faces = faces_at(tips, input);
@@ -143,10 +148,11 @@ std::pair<Integers, Integers> hierarchy(const Coordinates& vertices,
                                         Count maximum_number_of_segments,
                                         const std::string& method,
                                         const std::optional<std::string>& distance,
-                                        unsigned int random_seed)
+                                        unsigned int random_seed,
+                                        std::optional<double> snapping_tolerance)
 {
   const auto [labels, parents] = run_interruptibly(
-    [=, arrays = copy(vertices, corners, sizes)](Stoppable& visitor)
+    [=, arrays = copy(vertices, corners, sizes, snapping_tolerance)](Stoppable& visitor)
     {
       const tool::Input_mesh input = mesh_of_arrays(arrays);
       const auto np = named_parameters(random_seed, visitor);
@@ -169,10 +175,11 @@ Integers tips(const Coordinates& vertices,
               const Integers& sizes,
               Count number_of_tips,
               const std::string& distance,
-              unsigned int random_seed)
+              unsigned int random_seed,
+              std::optional<double> snapping_tolerance)
 {
   return as_array(run_interruptibly(
-    [=, arrays = copy(vertices, corners, sizes)](Stoppable& visitor)
+    [=, arrays = copy(vertices, corners, sizes, snapping_tolerance)](Stoppable& visitor)
     {
       const tool::Input_mesh input = mesh_of_arrays(arrays);
       std::vector<tool::Face> found;

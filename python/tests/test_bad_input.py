@@ -93,6 +93,8 @@ CALLS = [
     (lambda: ps.segment(POINTS, TRIANGLES, distance=1), "^distance is 1, but it must be geodesic, landmark"),
     (lambda: ps.tips(POINTS, TRIANGLES, 2, None), "^distance is None, but it must be"),
     (lambda: ps.segment(POINTS, TRIANGLES, random_seed=-1), "^random_seed is -1, but it must be from 0 to 4294967295$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, snapping_tolerance=-1.0), "^snapping_tolerance is -1.0, but it must be a distance"),
+    (lambda: ps.tips(POINTS, TRIANGLES, 3, snapping_tolerance="x"), "^snapping_tolerance is no number, but 'x'$"),
     (lambda: ps.segment(POINTS, TRIANGLES, random_seed=2**32), "^random_seed is 4294967296, but it must be from 0 to 4294967295$"),
     (lambda: ps.hierarchy(POINTS, TRIANGLES, 0), "^maximum_number_of_segments is 0, but it must be from 1 to 4, the number of faces of the mesh$"),
     (lambda: ps.hierarchy(POINTS, TRIANGLES, -1), "^maximum_number_of_segments is -1, but it must be from 1 to 4,"),

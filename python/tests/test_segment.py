@@ -122,6 +122,31 @@ def test_soup_without_common_vertices():
     assert (labels == ps.segment(POINTS, TRIANGLES, 7)).all()
 
 
+def test_corners_that_nearly_agree_are_one():
+    soup = POINTS[TRIANGLES].reshape(-1, 3)
+    faces = np.arange(len(soup)).reshape(-1, 3)
+    labels = ps.segment(POINTS, TRIANGLES, 7)
+    for distance, tolerance in ((1e-7, None), (1e-4, 1e-3)):
+        shaken = soup + np.random.default_rng(0).uniform(-distance, distance, soup.shape)
+        found = ps.segment(shaken, faces, 7, snapping_tolerance=tolerance)
+        assert (found != labels).mean() < .02
+        assert len(ps.tips(shaken, faces, 6, snapping_tolerance=tolerance)) == 6
+        tree = ps.hierarchy(shaken, faces, 7, snapping_tolerance=tolerance)
+        assert tree.minimum_number_of_segments == 1
+    assert np.unique(ps.segment(shaken[:300], faces[:100], 1, snapping_tolerance=0)).size == 100
+
+
+def test_solids_that_touch_and_hollow_ones():
+    points, triangles = TETRAHEDRON
+    n = len(points)
+    mirrored = points * [1, 1, -1]
+    labels = ps.segment(np.concatenate([points, mirrored]), np.concatenate([triangles, triangles[:, ::-1] + n]))
+    assert sorted(labels.tolist()) == [0] * 4 + [1] * 4
+    inner = .2 + .2 * points
+    hollow = np.concatenate([points, inner]), np.concatenate([triangles, triangles[:, ::-1] + n])
+    assert (ps.segment(*hollow) == 0).all()
+
+
 def test_components_are_segments():
     points, triangles = TETRAHEDRON
     two = np.concatenate([points, points + 5]), np.concatenate([triangles, triangles + 4])

@@ -11,11 +11,11 @@
 namespace tool
 {
 
-Input_mesh read_input_mesh(const std::string& file_name)
+Input_mesh read_input_mesh(const std::string& file_name, std::optional<double> tolerance)
 {
   try
   {
-    return make_input_mesh(read_soup(file_name));
+    return make_input_mesh(read_soup(file_name), tolerance);
   }
   catch (const Format_error& error)
   {

@@ -11,6 +11,7 @@
 #include <CGAL/Protrusion_segmentation/Polygon_soup_repairs.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,8 +34,9 @@ struct Input_mesh
   std::size_t inside_out_components = 0; // whose faces are turned over in the mesh
 };
 
-// By the package's `polygon_soup_to_manifold_mesh()`. Throws a `Format_error` if all faces are degenerate.
-Input_mesh make_input_mesh(Polygon_soup soup);
+// By the package's `polygon_soup_to_manifold_mesh()`, with its tolerance if none is given. Throws a `Format_error` if all faces
+// are degenerate.
+Input_mesh make_input_mesh(Polygon_soup soup, std::optional<double> tolerance = std::nullopt);
 
 // A value for each face of the file from a value for each face of the mesh.
 template <typename T>

@@ -34,6 +34,7 @@ struct Segmentation_options
   unsigned int seed = 0;
   std::optional<std::vector<std::size_t>> tips; // faces of the file: only their protrusions are cut off
   bool are_borders_smooth = false;
+  std::optional<double> weld_distance; // up to which corners on borders are one; unset: as the numbers tell
   std::size_t threads = 1; // no matter for the result
 };
 

@@ -181,7 +181,7 @@ Findings segment_file(const std::string& input,
   Findings findings;
   findings.input = input;
   findings.options = options;
-  findings.mesh = read_input_mesh(input);
+  findings.mesh = read_input_mesh(input, options.weld_distance);
   findings.seconds_for_file = seconds_since(start);
   const std::size_t faces = findings.mesh.mesh.number_of_faces();
   const std::size_t wanted = options.number_of_segments.value_or(0);

@@ -201,6 +201,8 @@ Json describe_surface(const Input_mesh& mesh)
     .add("small_components", repairs.small_components)
     .add("degenerate_faces", repairs.degenerate_polygons)
     .add("duplicate_faces", repairs.duplicate_polygons)
+    .add("joined_corners", repairs.joined_corners)
+    .add("split_edges", repairs.split_edges)
     .add("non_manifold_edges", repairs.non_manifold_edges)
     .add("unorientable_edges", repairs.unorientable_edges)
     .add("reversed_faces", repairs.reversed_polygons)
@@ -245,7 +247,8 @@ Json describe(const Segmentation_options& options)
     .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
     .add_if(options.distance == "diffusion", "diffusion_time", options.time)
     .add("seed", options.seed)
-    .add("smooth_borders", options.are_borders_smooth);
+    .add("smooth_borders", options.are_borders_smooth)
+    .add_if(options.weld_distance.has_value(), "weld_distance", options.weld_distance.value_or(0));
   return object.take();
 }
 

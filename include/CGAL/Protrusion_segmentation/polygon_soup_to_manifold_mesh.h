@@ -25,7 +25,7 @@ polygon gets a label.
 
 `Polygon_mesh_processing::polygon_soup_to_polygon_mesh()` needs polygons that are an oriented manifold, and
 `Polygon_mesh_processing::orient_polygon_soup()` separates all polygons at an edge of more than two. A segmentation needs
-connected surfaces, in which one duplicate polygon must not separate its neighbors. This function works in five steps:
+connected surfaces, in which one duplicate polygon must not separate its neighbors. This function works in six steps:
 
 - A polygon with fewer than three different corners is left out. Its label is that of a neighbor: of the face that
   shares the most corners with it, or else of the face before it.
@@ -43,9 +43,12 @@ connected surfaces, in which one duplicate polygon must not separate its neighbo
   and single walls between two solids, if they share a point with the rest. A component that touches nothing is kept, however
   small.
 
-Points are at the same place if their coordinates are equal, after conversion to `double` by `CGAL::to_double()`:
-nothing is merged within a tolerance. Every polygon that is not left out becomes one face, with its corners; a corner
-that follows itself is named once. If nothing has to be repaired, the mesh has the polygons and those points that are
+- Borders that remain are sewn where they nearly agree, and the steps before are repeated: corners that are no farther
+  from each other than `snapping_tolerance` become one, unless an edge would vanish, and corners in the middle of an edge
+  of another border are set into it, so that cracks are closed.
+
+Points are at the same place if their coordinates are equal, after conversion to `double` by `CGAL::to_double()`. Every
+polygon that is not left out becomes one face, with its corners; a corner that follows itself is named once. If nothing has to be repaired, the mesh has the polygons and those points that are
 corners, in their order. Among several duplicates, and among pairs with equal angles, the order of the
 polygons decides.
 
@@ -70,12 +73,18 @@ polygons decides.
                    point type with `x()`, `y()` and `z()` as value type}
     \cgalParamDefault{`CGAL::Identity_property_map`}
   \cgalParamNEnd
+  \cgalParamNBegin{snapping_tolerance}
+    \cgalParamDescription{the distance up to which borders are sewn, at least 0; 0 sews nothing}
+    \cgalParamType{a number type}
+    \cgalParamDefault{four millionths of the size of the bounding box or, if that is more and all coordinates are of single
+                      precision, four units in the last place of the largest one}
+  \cgalParamNEnd
 \cgalNamedParamsEnd
 
 \return which polygon became which face, and what had to be repaired
 
 \throw std::invalid_argument if a coordinate of a corner is not finite, if a corner is no index of a point, if there are no
-       polygons, or if none has three different corners; nothing is added to `output` then
+       polygons, if none has three different corners, or if the tolerance is no distance; nothing is added to `output` then
 
 Complexity: O(n log n) for n corners of polygons and points, and the square of the number of faces around a vertex. Edges
 whose joining would make the mesh non-manifold are separated again; each pass has the same complexity.
@@ -94,8 +103,9 @@ Polygon_soup_correspondence<FaceGraph> polygon_soup_to_manifold_mesh(
 {
   const auto point_map = internal::point_map_of<PointRange>(np);
   internal::Polygon_soup soup = internal::read_polygon_soup(points, point_map, polygons);
-  return internal::write_manifold_surface(points, point_map, internal::manifold_surface(std::move(soup)),
-                                          output, output_np);
+  return internal::write_manifold_surface(
+    points, point_map, internal::manifold_surface(std::move(soup), internal::snapping_tolerance(np)),
+    output, output_np);
 }
 
 } // namespace CGAL::Protrusion_segmentation

@@ -11,6 +11,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Radial_order.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/closed_surfaces.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/sew_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/small_components.h>
 
 #include <algorithm>
@@ -18,6 +19,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -155,21 +157,50 @@ inline std::size_t number_of_components(const Edge_pairs& pairs)
   return count;
 }
 
-// Coordinates are finite and corners are points. Throws if no polygon has three different corners.
-inline Manifold_surface manifold_surface(Polygon_soup soup)
+// The points that are corners.
+inline std::vector<Polygon_soup::Point_3> corners_of(const Polygon_soup& soup)
+{
+  std::vector<Polygon_soup::Point_3> result;
+  for (std::size_t c = 0; c < soup.polygons.number_of_corners(); ++c)
+    result.push_back(soup.points[soup.polygons.corner(c)]);
+  return result;
+}
+
+// `surfaces` becomes that of each polygon.
+inline std::unique_ptr<Joined_faces> join_faces(const Polygon_soup& soup,
+                                                const std::vector<std::size_t>& places,
+                                                std::vector<std::size_t>& surfaces)
+{
+  const std::vector<bool> none_left_out(soup.polygons.size(), false);
+  surfaces.assign(soup.polygons.size(), open_surface);
+  auto result = std::make_unique<Joined_faces>(soup, places, surfaces, none_left_out);
+  if (result->choice.duplicate_polygons == 0)
+    return result;
+  surfaces = closed_surfaces(soup, places); // walls between them are no duplicates
+  return std::make_unique<Joined_faces>(soup, places, surfaces, none_left_out);
+}
+
+// Coordinates are finite and corners are points. Throws if no polygon has three different corners. Corners that are no farther
+// from each other than the tolerance are one, at borders; an automatic one if none is given.
+inline Manifold_surface manifold_surface(Polygon_soup soup,
+                                         std::optional<double> tolerance = std::nullopt)
 {
   Manifold_surface surface;
-  const std::vector<std::size_t> place_of = places(soup.points);
-  scale_to_unit(soup);
-  std::vector<bool> is_left_out(soup.polygons.size(), false);
-  std::vector<std::size_t> surfaces(soup.polygons.size(), open_surface);
-  auto joined = std::make_unique<Joined_faces>(soup, place_of, surfaces, is_left_out);
-  if (joined->choice.duplicate_polygons > 0) // walls between closed surfaces are none
-  {
-    surfaces = closed_surfaces(soup, place_of);
-    joined = std::make_unique<Joined_faces>(soup, place_of, surfaces, is_left_out);
-  }
   Polygon_soup_repairs& repairs = surface.repairs;
+  std::vector<std::size_t> place_of = places(soup.points), surfaces;
+  const int exponent = scale_to_unit(soup);
+  auto joined = join_faces(soup, place_of, surfaces);
+  const double scaled_tolerance = tolerance ? std::ldexp(*tolerance, -exponent)
+                                            : automatic_tolerance(corners_of(soup));
+  if (scaled_tolerance > 0)
+  {
+    Border_sewer sewer(soup, place_of, *joined, scaled_tolerance);
+    repairs.joined_corners = sewer.join_corners();
+    repairs.split_edges = sewer.split_sides();
+    if (repairs.joined_corners + repairs.split_edges > 0)
+      joined = join_faces(soup, place_of, surfaces);
+  }
+  std::vector<bool> is_left_out(soup.polygons.size(), false);
   repairs.degenerate_polygons = joined->choice.degenerate_polygons;
   repairs.duplicate_polygons = joined->choice.duplicate_polygons;
   repairs.non_manifold_edges = joined->pairs.number_of_non_manifold_edges();
