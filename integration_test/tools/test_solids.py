@@ -50,7 +50,9 @@ def closed_volumes(segment, folder, name, *options):
 def test_stack_of_cubes(segment, tmp_path, name, write):
     cubes = [box(low, [x + 1 for x in low]) for low in itertools.product(range(10), repeat=3)]
     write(tmp_path / name, [triangle for cube in cubes for triangle in cube])
-    segment(name, "-o", "a.seg")
+    result = segment(name, "-o", "a.seg")
+    assert "12000 faces, 1000 segments," in result.out
+    assert "no protrusion" not in result.err
     found = labels(tmp_path / "a.seg")
     assert len(set(found)) == 1000
     assert all(len(set(found[i:i + 12])) == 1 for i in range(0, 12000, 12))

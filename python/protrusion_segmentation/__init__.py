@@ -227,6 +227,8 @@ def _arrays(vertices: npt.ArrayLike, faces: Faces) -> Tuple[npt.NDArray[np.float
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError(f"vertices: the shape is {points.shape}, not (n, 3)")
     if isinstance(faces, np.ndarray) and faces.dtype != object:
+        if faces.dtype.kind in "iu":
+            _check_layout(faces)
         if faces.ndim != 2:
             raise ValueError(f"faces: the shape is {faces.shape}, not (m, 3)")
         return points, _integers("faces", faces.reshape(-1)), np.full(faces.shape[0], faces.shape[1], np.int64)
@@ -236,7 +238,23 @@ def _arrays(vertices: npt.ArrayLike, faces: Faces) -> Tuple[npt.NDArray[np.float
         corners = list(itertools.chain.from_iterable(polygons))
     except TypeError:
         raise ValueError("faces: neither an array of shape (m, 3) nor a sequence of polygons") from None
-    return points, _integers("faces", corners), sizes
+    numbers = _integers("faces", corners)
+    if sizes.size > 0 and sizes[0] > 0 and (sizes == sizes[0]).all():
+        _check_layout(numbers.reshape(-1, sizes[0]))
+    return points, numbers, sizes
+
+
+def _check_layout(faces: npt.NDArray[Any]) -> None:
+    """Other layouts of triangles, named as such: what they would mean here makes no sense."""
+    rows = faces.reshape(-1, 4) if faces.ndim == 1 and faces.size % 4 == 0 else faces
+    if rows.ndim == 2 and rows.shape[0] > 1 and (rows[:, :1] == rows.shape[1] - 1).all() and rows.shape[1] > 3:
+        raise ValueError(
+            f"faces: in VTK's layout, with the number of corners, {rows.shape[1] - 1}, before each face; "
+            f"faces.reshape(-1, {rows.shape[1]})[:, 1:] are the corners"
+        )
+    if faces.ndim == 2 and faces.shape[0] == 3 and faces.shape[1] > 3:
+        if any(np.unique(row).size < row.size for row in faces):
+            raise ValueError(f"faces: the shape is {faces.shape}, not (m, 3); faces.T has it")
 
 
 def _integers(name: str, values: npt.ArrayLike) -> Labels:

@@ -54,7 +54,7 @@ std::string note_on_number(const Segmentation_options& options, const Segmentati
   else if (found > wanted)
     note << "found " << found << " segments instead of " << wanted << ": each of the mesh's " << found
          << " connected components is at least one";
-  else if (!options.number_of_segments && !options.tips && segmentation.record.protrusions().empty())
+  else if (found == 1 && !options.number_of_segments && !options.tips)
     note << "found no protrusion; -k N asks for a number of segments";
   return note.str();
 }
@@ -252,8 +252,9 @@ std::string note_on_missing_segments(const Findings& findings)
 std::string summary(const Findings& findings)
 {
   std::ostringstream line;
-  line << findings.mesh.label_giver.size() << " faces, " << findings.segmentation.number_of_segments
-       << " segments, " << std::fixed << std::setprecision(3) << findings.seconds() << " s";
+  const std::size_t faces = findings.mesh.label_giver.size(), segments = findings.segmentation.number_of_segments;
+  line << faces << (faces == 1 ? " face, " : " faces, ") << segments << (segments == 1 ? " segment, " : " segments, ")
+       << std::fixed << std::setprecision(3) << findings.seconds() << " s";
   return line.str();
 }
 
