@@ -126,3 +126,50 @@ def test_cracks(segment, tmp_path, name, write):
     write(tmp_path / name, triangles + [(a, middle, c), (middle, b, c)])
     assert segment.record(name)["surface"]["split_edges"] == 1
     assert closed_volumes(segment, tmp_path, name) == pytest.approx([1], abs=1e-4)
+
+
+def creature():
+    """A box with four legs that cut into it, each a piece, and a box inside."""
+    legs = [box((x, y, -4), (x + 1, y + 1, .5)) for x in (0, 5) for y in (0, 2)]
+    return [box((-.5, -.5, 0), (6.5, 3.5, 3)), *legs, box((2, 1, 1), (3, 2, 2))]
+
+
+@WRITERS
+def test_join_pieces(segment, tmp_path, name, write):
+    pieces = creature()
+    write(tmp_path / name, [triangle for piece in pieces for triangle in piece])
+    result = segment(name)
+    assert "5 of 6 components touch each other; --join-pieces makes one shape of them" in result.err
+    assert "6 segments," in result.out
+    for options in (["--join-pieces"], ["--join-pieces", "-k", 5], ["--join-pieces=.3"]):
+        volumes = closed_volumes(segment, tmp_path, name, *options)
+        found = labels(tmp_path / "a.seg")
+        assert len(found) == 12 * len(pieces)
+        assert found[0] == found[-1] == 0
+        assert [found[12 * i] for i in (1, 2, 3, 4)] in \
+            [list(order) for order in itertools.permutations((1, 2, 3, 4))]
+        assert all(len(set(found[i:i + 12])) == 1 for i in range(0, len(found), 12))
+        assert sum(volumes) == pytest.approx(7 * 4 * 3 + 4 * 4, rel=.25)
+    record = segment.record(name, "--join-pieces")
+    assert record["join_pieces"] is True and record["gap"] is None
+    assert record["surface"]["components"] == 1
+    assert sum(measure["faces"] for measure in record["measures"]) == len(found)
+    assert "6 pieces are joined to 1 shape" in segment(name, "--join-pieces").err
+
+
+def test_all_outputs_of_joined_pieces(segment, tmp_path, libraries):
+    write_obj(tmp_path / "a.obj", [triangle for piece in creature() for triangle in piece])
+    outputs = "-o b.seg -o b.ply -o b.glb -o b.vtp --json b.json --borders c.vtp --smooth-borders"
+    report = ["--report", "b.html"] * ("three.js" in libraries)
+    segment("a.obj", "--join-pieces", *outputs.split(), *report)
+    assert len(labels(tmp_path / "b.seg")) == 72
+
+
+def test_gaps(segment, tmp_path):
+    write_obj(tmp_path / "a.obj", box((0, 0, 0), (1, 1, 1)) + box((1.2, 0, 0), (2, 1, 1)))
+    assert "touch" not in segment("a.obj").err
+    assert segment.record("a.obj", "--join-pieces=.1")["surface"]["components"] == 2
+    assert segment.record("a.obj", "--join-pieces=.3")["surface"]["components"] == 1
+    segment.refuses("a.obj", "--join-pieces=1e-9", message="--join-pieces: gap: ")
+    segment.refuses("a.obj", "--join-pieces=wide", code=2, message="'wide' is no distance")
+    segment.refuses("a.obj", "--join-pieces", "--weld", "1", code=2, message="--weld")

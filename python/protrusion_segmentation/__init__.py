@@ -44,6 +44,7 @@ def segment(
     distance: Optional[Distance] = None,
     random_seed: int = 0,
     snapping_tolerance: Optional[float] = None,
+    join_pieces: Union[bool, float] = False,
 ) -> Labels:
     """Split a mesh into a body and its protrusions.
 
@@ -61,6 +62,8 @@ def segment(
     random_seed : seed of all random choices; the same seed gives the same labels
     snapping_tolerance : the distance up to which corners on borders count as one, and lie on an edge; 0 joins equal
         corners only. Without it, those are joined that differ by rounding, about a millionth of the size
+    join_pieces : True segments loose pieces as one shape: pieces that touch, overlap or are less than a gap apart.
+        Hidden pieces go with what covers them. A number is the gap; True means a fortieth of the size
 
     Returns
     -------
@@ -75,7 +78,8 @@ def segment(
         If the mesh or an argument makes no sense.
     """
     count = None if number_of_segments is None else _integer("number_of_segments", number_of_segments)
-    choices, options = _choices(method, distance), (_seed(random_seed), _tolerance(snapping_tolerance))
+    choices = _choices(method, distance)
+    options = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
     return _core.segment(*_arrays(vertices, faces), count, *choices, *options)
 
 
@@ -87,13 +91,14 @@ def segment_from_tips(
     distance: Optional[Distance] = None,
     random_seed: int = 0,
     snapping_tolerance: Optional[float] = None,
+    join_pieces: Union[bool, float] = False,
 ) -> Labels:
     """Cut off the protrusions at given tips, such as those of `tips()`, edited or picked by a user.
 
     Parameters
     ----------
     tips : the faces at the tips, as numbers from 0. A tip for which no border is found makes no segment.
-    vertices, faces, method, distance, random_seed, snapping_tolerance : as for `segment()`
+    vertices, faces, method, distance, random_seed, snapping_tolerance, join_pieces : as for `segment()`
 
     Returns
     -------
@@ -102,7 +107,7 @@ def segment_from_tips(
     """
     picked = _integers("tips", tips).tolist()
     choices = _choices(method, distance)
-    options = _seed(random_seed), _tolerance(snapping_tolerance)
+    options = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
     return _core.segment_from_tips(*_arrays(vertices, faces), picked, *choices, *options)
 
 
@@ -147,16 +152,18 @@ def hierarchy(
     distance: Optional[Distance] = None,
     random_seed: int = 0,
     snapping_tolerance: Optional[float] = None,
+    join_pieces: Union[bool, float] = False,
 ) -> Hierarchy:
     """Compute the nested protrusions of a mesh, to choose the number of segments afterwards.
 
     Parameters
     ----------
     maximum_number_of_segments : where to stop; the hierarchy ends earlier if no more borders are found
-    vertices, faces, method, distance, random_seed, snapping_tolerance : as for `segment()`
+    vertices, faces, method, distance, random_seed, snapping_tolerance, join_pieces : as for `segment()`
     """
     count = _integer("maximum_number_of_segments", maximum_number_of_segments)
-    choices, options = _choices(method, distance), (_seed(random_seed), _tolerance(snapping_tolerance))
+    choices = _choices(method, distance)
+    options = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
     labels, parents = _core.hierarchy(*_arrays(vertices, faces), count, *choices, *options)
     return Hierarchy(parents=parents, finest_labels=labels)
 
@@ -168,13 +175,14 @@ def tips(
     distance: Distance = "geodesic",
     random_seed: int = 0,
     snapping_tolerance: Optional[float] = None,
+    join_pieces: Union[bool, float] = False,
 ) -> Labels:
     """Select the tips of protrusions: a face far from all others, then again and again the face farthest from all.
 
     Parameters
     ----------
     number_of_tips : at most the number of faces
-    vertices, faces, distance, random_seed, snapping_tolerance : as for `segment()`
+    vertices, faces, distance, random_seed, snapping_tolerance, join_pieces : as for `segment()`
 
     Returns
     -------
@@ -182,7 +190,7 @@ def tips(
         The faces at the tips, in the order of selection in each connected component.
     """
     count = _integer("number_of_tips", number_of_tips)
-    options = _seed(random_seed), _tolerance(snapping_tolerance)
+    options = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
     return _core.tips(*_arrays(vertices, faces), count, _choice("distance", distance, get_args(Distance)), *options)
 
 
@@ -314,3 +322,16 @@ def _tolerance(value: Optional[float]) -> Optional[float]:
     if not 0 <= tolerance < float("inf"):
         raise ValueError(f"snapping_tolerance is {value}, but it must be a distance, at least 0")
     return tolerance
+
+
+def _gap(value: Union[bool, float]) -> Optional[float]:
+    """None if pieces are not joined, and 0 if they are by the gap of the package."""
+    if isinstance(value, (bool, np.bool_)):
+        return 0.0 if value else None
+    try:
+        gap = float(value)
+    except (TypeError, ValueError):
+        raise ValueError(f"join_pieces is neither true nor false nor a number, but {value!r}") from None
+    if not 0 < gap < float("inf"):
+        raise ValueError(f"join_pieces is {value}, but a gap must be a distance above 0")
+    return gap

@@ -21,6 +21,7 @@ def segment(
     distance: Optional[str],
     random_seed: int,
     snapping_tolerance: Optional[float],
+    joining_gap: Optional[float],
 ) -> Integers: ...
 def segment_from_tips(
     vertices: Coordinates,
@@ -31,6 +32,7 @@ def segment_from_tips(
     distance: Optional[str],
     random_seed: int,
     snapping_tolerance: Optional[float],
+    joining_gap: Optional[float],
 ) -> Integers: ...
 def hierarchy(
     vertices: Coordinates,
@@ -41,6 +43,7 @@ def hierarchy(
     distance: Optional[str],
     random_seed: int,
     snapping_tolerance: Optional[float],
+    joining_gap: Optional[float],
 ) -> Tuple[Integers, Integers]: ...
 def tips(
     vertices: Coordinates,
@@ -50,6 +53,7 @@ def tips(
     distance: str,
     random_seed: int,
     snapping_tolerance: Optional[float],
+    joining_gap: Optional[float],
 ) -> Integers: ...
 def evaluate(
     vertices: Coordinates, corners: Integers, sizes: Integers, labels: Integers, reference: Integers

@@ -91,7 +91,8 @@ tool::Input_mesh mesh_of_arrays(const Arrays& arrays)
   check_points(soup);
   try
   {
-    return tool::make_input_mesh(std::move(soup), arrays.snapping_tolerance);
+    return arrays.are_pieces_joined ? tool::join_pieces(std::move(soup), arrays.gap)
+                                    : tool::make_input_mesh(std::move(soup), arrays.snapping_tolerance);
   }
   catch (const tool::Format_error& error)
   {

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import protrusion_segmentation as ps
-from meshes import TETRAHEDRON, arms, ball_with_arms
+from meshes import TETRAHEDRON, arms, ball_with_arms, icosahedron
 
 POINTS, TRIANGLES = ball_with_arms()
 METHODS = ("minimum-cut", "paper")
@@ -145,6 +145,22 @@ def test_solids_that_touch_and_hollow_ones():
     inner = .2 + .2 * points
     hollow = np.concatenate([points, inner]), np.concatenate([triangles, triangles[:, ::-1] + n])
     assert (ps.segment(*hollow) == 0).all()
+
+
+def test_pieces_are_joined():
+    points, triangles = icosahedron()
+    ball, arm = points, .3 * points + [2.2, 0, 0]
+    pieces = [ball, arm, arm * [-1, 1, 1], .2 * points]
+    vertices = np.concatenate(pieces)
+    faces = np.concatenate([triangles + i * len(points) for i in range(len(pieces))])
+    assert np.unique(ps.segment(vertices, faces)).size == 4
+    for join in (True, .2):
+        labels = ps.segment(vertices, faces, join_pieces=join)
+        n = len(triangles)
+        assert [labels[i * n] for i in (0, 3)] == [0, 0]
+        assert set(labels.tolist()) == {0, 1, 2}
+        assert ps.hierarchy(vertices, faces, 3, join_pieces=join).minimum_number_of_segments == 1
+    assert ps.hierarchy(vertices, faces, 3, join_pieces=.01).minimum_number_of_segments > 1
 
 
 def test_components_are_segments():

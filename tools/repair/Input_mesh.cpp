@@ -23,6 +23,7 @@
 #include <cstdint>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -227,6 +228,11 @@ Input_mesh make_input_mesh(Polygon_soup soup, std::optional<double> tolerance)
 std::string describe_repairs(const Input_mesh& input)
 {
   const Repairs& repairs = input.repairs;
+  if (input.has_joined_pieces())
+  {
+    const std::set<std::size_t> pieces(input.pieces.begin(), input.pieces.end());
+    return counted(pieces.size(), "piece is", "pieces are") + " joined to " + counted(repairs.components, "shape", "shapes");
+  }
   std::vector<std::string> parts;
   if (repairs.degenerate_polygons > 0)
     parts.push_back(counted(repairs.degenerate_polygons, "degenerate face has", "degenerate faces have") +
