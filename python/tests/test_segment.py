@@ -155,7 +155,7 @@ def test_pieces_are_joined():
     faces = np.concatenate([triangles + i * len(points) for i in range(len(pieces))])
     assert np.unique(ps.segment(vertices, faces)).size == 4
     for join in (True, .2):
-        labels = ps.segment(vertices, faces, join_pieces=join)
+        labels = ps.segment(vertices, faces, 3, join_pieces=join)
         n = len(triangles)
         assert [labels[i * n] for i in (0, 3)] == [0, 0]
         assert set(labels.tolist()) == {0, 1, 2}

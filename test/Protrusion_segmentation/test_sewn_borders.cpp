@@ -113,6 +113,30 @@ void last_bits_of_single_precision_do_not_matter()
         check_sewn(in_single_precision(shaken(translated(icosphere(3), place), 0, 0), share, seed));
 }
 
+// Walls of solids that touch agree with each other, and nearly so.
+void solids_that_touch_are_sewn()
+{
+  std::vector<Test_mesh> cubes;
+  for (int x = 0; x < 3; ++x)
+    for (int y = 0; y < 3; ++y)
+      for (int z = 0; z < 2; ++z)
+        cubes.push_back(translated(triangulated(box()), {1. * x, 1. * y, 1. * z}));
+  for (std::uint_fast32_t seed = 0; seed < 20; ++seed)
+  {
+    const Test_mesh stack = translated(rotated(merged(cubes), {0, seed % 2 == 0 ? 0. : 1., 1}, .5),
+                                       {.3, .2, .1});
+    for (const Test_mesh& soup :
+         {shaken(stack, 1e-6, seed), in_single_precision(shaken(stack, 0, 0), .01, seed),
+          in_single_precision(shaken(stack, 0, 0), .05, seed)})
+    {
+      const Found found = repaired(soup);
+      CHECK_EQUAL(found.repairs.components, cubes.size());
+      CHECK_EQUAL(found.border_edges, 0);
+      CHECK_EQUAL(found.faces, soup.faces.size());
+    }
+  }
+}
+
 void other_corners_are_apart()
 {
   const Test_mesh soup = shaken(icosphere(2), 1e-3, 1);
@@ -220,6 +244,7 @@ int main()
 {
   corners_that_differ_by_a_millionth_of_the_size_are_one();
   last_bits_of_single_precision_do_not_matter();
+  solids_that_touch_are_sewn();
   other_corners_are_apart();
   tolerances_are_distances();
   no_edge_vanishes();

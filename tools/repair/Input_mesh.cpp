@@ -8,7 +8,7 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
-#include <CGAL/Protrusion_segmentation/internal/Repair/sew_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/near_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/nested_components.h>
@@ -121,16 +121,20 @@ bool has_points_at_one_place(const std::vector<Point>& points)
 bool may_be_sewn(const Mesh& mesh, std::optional<double> tolerance)
 {
   std::vector<std::array<std::size_t, 2>> sides;
+  std::set<std::size_t> ends;
   for (const auto h : mesh.halfedges())
     if (mesh.is_border(h))
+    {
       sides.push_back({std::size_t(mesh.source(h)), std::size_t(mesh.target(h))});
+      ends.insert(sides.back().begin(), sides.back().end());
+    }
   if (sides.empty())
     return false;
   std::vector<Point> points(mesh.points().begin(), mesh.points().end());
   const int exponent = internal::scale_to_unit(points);
   const double scaled = tolerance ? std::ldexp(*tolerance, -exponent)
                                   : internal::automatic_tolerance(points);
-  return scaled > 0 && !internal::near_points(points, sides, scaled).empty();
+  return scaled > 0 && !internal::near_points(points, sides, ends, scaled).empty();
 }
 
 // Builds the mesh of a file that needs no repair, as most do: then the faces as they are make up a surface, and what
@@ -231,7 +235,8 @@ std::string describe_repairs(const Input_mesh& input)
   if (input.has_joined_pieces())
   {
     const std::set<std::size_t> pieces(input.pieces.begin(), input.pieces.end());
-    return counted(pieces.size(), "piece is", "pieces are") + " joined to " + counted(repairs.components, "shape", "shapes");
+    return counted(pieces.size(), "piece is", "pieces are") + " joined to " +
+           counted(repairs.components, "shape", "shapes");
   }
   std::vector<std::string> parts;
   if (repairs.degenerate_polygons > 0)

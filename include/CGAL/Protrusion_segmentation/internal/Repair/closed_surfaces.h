@@ -49,13 +49,12 @@ inline std::vector<std::size_t> surfaces_by_points(const Polygon_soup& soup,
   return result;
 }
 
-// For each polygon: the closed surface that it is part of if no polygon is left out, or `open_surface`. A surface that lies on
-// another one with all its faces is the same.
+// For each polygon: the closed surface that it is part of, as joined with all polygons, or `open_surface`. A surface that lies
+// on another one with all its faces is the same.
 inline std::vector<std::size_t> closed_surfaces(const Polygon_soup& soup,
-                                                const std::vector<std::size_t>& places)
+                                                const std::vector<std::size_t>& places,
+                                                const Joined_faces& joined)
 {
-  const Joined_faces joined(soup, places, surfaces_by_points(soup, places),
-                            std::vector<bool>(soup.polygons.size(), false));
   const std::vector<std::size_t> component = joined.pairs.components();
   std::vector<std::vector<std::size_t>> faces(component.size()); // of each component, by their corners
   for (std::size_t face = 0; face < component.size(); ++face)

@@ -166,18 +166,56 @@ inline std::vector<Polygon_soup::Point_3> corners_of(const Polygon_soup& soup)
   return result;
 }
 
-// `surfaces` becomes that of each polygon.
-inline std::unique_ptr<Joined_faces> join_faces(const Polygon_soup& soup,
-                                                const std::vector<std::size_t>& places,
-                                                std::vector<std::size_t>& surfaces)
+// With all polygons that may be walls between closed surfaces, and no others that are duplicates.
+inline std::unique_ptr<Joined_faces> join_with_walls(const Polygon_soup& soup,
+                                                     const std::vector<std::size_t>& places)
 {
   const std::vector<bool> none_left_out(soup.polygons.size(), false);
-  surfaces.assign(soup.polygons.size(), open_surface);
-  auto result = std::make_unique<Joined_faces>(soup, places, surfaces, none_left_out);
-  if (result->choice.duplicate_polygons == 0)
-    return result;
-  surfaces = closed_surfaces(soup, places); // walls between them are no duplicates
-  return std::make_unique<Joined_faces>(soup, places, surfaces, none_left_out);
+  const std::vector<std::size_t> open_surfaces(soup.polygons.size(), open_surface);
+  auto result = std::make_unique<Joined_faces>(soup, places, open_surfaces, none_left_out);
+  if (result->choice.duplicate_polygons > 0)
+    result = std::make_unique<Joined_faces>(soup, places, surfaces_by_points(soup, places),
+                                            none_left_out);
+  return result;
+}
+
+// The same without duplicates; `surfaces` becomes that of each polygon.
+inline std::unique_ptr<Joined_faces> without_duplicates(const Polygon_soup& soup,
+                                                        const std::vector<std::size_t>& places,
+                                                        std::unique_ptr<Joined_faces> joined,
+                                                        std::vector<std::size_t>& surfaces)
+{
+  const std::size_t number = soup.polygons.size();
+  const std::vector<bool>& has_duplicate = joined->choice.has_duplicate;
+  surfaces.assign(number, open_surface);
+  if (std::find(has_duplicate.begin(), has_duplicate.end(), true) == has_duplicate.end())
+    return joined;
+  surfaces = closed_surfaces(soup, places, *joined);
+  return std::make_unique<Joined_faces>(soup, places, surfaces, std::vector<bool>(number, false));
+}
+
+// Joins what the polygons of a soup are, and sews borders up to the tolerance.
+inline std::unique_ptr<Joined_faces> join_and_sew(Polygon_soup& soup,
+                                                  double tolerance,
+                                                  std::vector<std::size_t>& places,
+                                                  std::vector<std::size_t>& surfaces,
+                                                  Polygon_soup_repairs& repairs)
+{
+  auto joined = join_with_walls(soup, places);
+  // What was joined to something else before may be a border now.
+  while (const std::size_t number = tolerance > 0
+                                      ? Border_sewer(soup, places, *joined, tolerance).join_corners()
+                                      : 0)
+  {
+    repairs.joined_corners += number;
+    joined = join_with_walls(soup, places);
+  }
+  joined = without_duplicates(soup, places, std::move(joined), surfaces);
+  if (tolerance > 0)
+    repairs.split_edges = Border_sewer(soup, places, *joined, tolerance).split_sides();
+  if (repairs.split_edges > 0)
+    joined = without_duplicates(soup, places, join_with_walls(soup, places), surfaces);
+  return joined;
 }
 
 // Coordinates are finite and corners are points. Throws if no polygon has three different corners. Corners that are no farther
@@ -189,17 +227,9 @@ inline Manifold_surface manifold_surface(Polygon_soup soup,
   Polygon_soup_repairs& repairs = surface.repairs;
   std::vector<std::size_t> place_of = places(soup.points), surfaces;
   const int exponent = scale_to_unit(soup);
-  auto joined = join_faces(soup, place_of, surfaces);
-  const double scaled_tolerance = tolerance ? std::ldexp(*tolerance, -exponent)
-                                            : automatic_tolerance(corners_of(soup));
-  if (scaled_tolerance > 0)
-  {
-    Border_sewer sewer(soup, place_of, *joined, scaled_tolerance);
-    repairs.joined_corners = sewer.join_corners();
-    repairs.split_edges = sewer.split_sides();
-    if (repairs.joined_corners + repairs.split_edges > 0)
-      joined = join_faces(soup, place_of, surfaces);
-  }
+  auto joined = join_and_sew(
+    soup, tolerance ? std::ldexp(*tolerance, -exponent) : automatic_tolerance(corners_of(soup)), place_of,
+    surfaces, repairs);
   std::vector<bool> is_left_out(soup.polygons.size(), false);
   repairs.degenerate_polygons = joined->choice.degenerate_polygons;
   repairs.duplicate_polygons = joined->choice.duplicate_polygons;

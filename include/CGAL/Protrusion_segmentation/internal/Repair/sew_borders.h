@@ -10,17 +10,15 @@
 #include <CGAL/Protrusion_segmentation/internal/Repair/Joined_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Parity_sets.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/near_points.h>
 
-#include <CGAL/Bbox_3.h>
-#include <CGAL/Box_intersection_d/Box_with_info_d.h>
-#include <CGAL/box_intersection_d.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -28,79 +26,6 @@
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
-
-// The distance up to which corners, of which all points are some, are taken for equal if none is given. Numbers rounded to
-// single precision differ by some units in the last place. Other files differ by about a millionth of the size, in each
-// coordinate and to both sides.
-template <typename Points>
-double automatic_tolerance(const Points& points)
-{
-  constexpr double share_of_size = 4e-6, units_in_last_place = 4;
-  Bbox_3 box;
-  bool is_single_precision = true;
-  for (const Polygon_soup::Point_3& p : points)
-  {
-    box += p.bbox();
-    for (const double x : {p.x(), p.y(), p.z()})
-      is_single_precision = is_single_precision && static_cast<double>(static_cast<float>(x)) == x;
-  }
-  const double size = (std::max)({box.x_span(), box.y_span(), box.z_span()});
-  const double largest = (std::max)(
-    {-box.xmin(), -box.ymin(), -box.zmin(), box.xmax(), box.ymax(), box.zmax()});
-  const double unit = is_single_precision ? std::ldexp(largest, -std::numeric_limits<float>::digits) : 0;
-  return (std::max)(share_of_size * size, units_in_last_place * unit);
-}
-
-// A point near a side of a border, between its ends or at one of them.
-struct Near_point
-{
-  double distance;
-  double position; // along the side, 0 to 1
-  std::size_t side;
-  std::size_t point;
-};
-
-// All of them. A side is given by the points at its ends; its points are no farther than half its length.
-inline std::vector<Near_point> near_points(const std::vector<Polygon_soup::Point_3>& points,
-                                           const std::vector<std::array<std::size_t, 2>>& sides,
-                                           double tolerance)
-{
-  using Box = Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
-  const auto tolerance_of = [&](std::size_t side)
-  {
-    return (std::min)(tolerance,
-                      std::sqrt(squared_distance(points[sides[side][0]], points[sides[side][1]])) / 2);
-  };
-  std::vector<Box> boxes, points_of_sides;
-  std::set<std::size_t> ends;
-  for (std::size_t s = 0; s < sides.size(); ++s)
-  {
-    const Bbox_3 b = points[sides[s][0]].bbox() + points[sides[s][1]].bbox();
-    const double t = tolerance_of(s);
-    boxes.emplace_back(
-      Bbox_3(b.xmin() - t, b.ymin() - t, b.zmin() - t, b.xmax() + t, b.ymax() + t, b.zmax() + t), s);
-    ends.insert(sides[s].begin(), sides[s].end());
-  }
-  for (const std::size_t end : ends)
-    points_of_sides.emplace_back(points[end].bbox(), end);
-  std::vector<Near_point> result;
-  box_intersection_d(boxes.begin(), boxes.end(), points_of_sides.begin(), points_of_sides.end(),
-                     [&](const Box& side_box, const Box& point_box)
-                     {
-                       const std::size_t side = side_box.info(), point = point_box.info();
-                       const auto& [start, end] = sides[side];
-                       if (point == start || point == end)
-                         return;
-                       const Polygon_soup::Vector_3 along = points[end] - points[start],
-                                                    to_point = points[point] - points[start];
-                       const double position = (std::min)(
-                         (std::max)(to_point * along / along.squared_length(), 0.), 1.);
-                       const double distance = std::sqrt((to_point - position * along).squared_length());
-                       if (distance <= tolerance_of(side))
-                         result.push_back({distance, position, side, point});
-                     });
-  return result;
-}
 
 // Sews what was joined: sets corners that nearly agree to one place, and corners that lie on sides into these.
 class Border_sewer
@@ -116,21 +41,28 @@ public:
       m_tolerance(tolerance),
       m_sets(places.size())
   {
+    std::set<std::size_t> points_of_borders;
+    std::vector<std::array<std::size_t, 2>> open_sides;
     for (std::size_t side = 0; side < joined.pairs.number_of_sides(); ++side)
     {
       const auto place = [&](std::size_t s) { return places[m_choice.polygons.corner(s)]; };
       const std::array<std::size_t, 2> ends = {place(side), place(joined.pairs.next(side))};
       if (ends[0] == ends[1])
         continue;
-      if (joined.pairs.partner(side) == Edge_pairs::none())
+      m_sides.push_back(ends);
+      m_side.push_back(side);
+      m_is_open.push_back(joined.pairs.partner(side) == Edge_pairs::none());
+      if (m_is_open.back())
       {
-        m_sides.push_back(ends);
-        m_side.push_back(side);
+        points_of_borders.insert(ends.begin(), ends.end());
+        open_sides.push_back(ends);
       }
       if (squared_distance(soup.points[ends[0]], soup.points[ends[1]]) <= CGAL::square(chain * tolerance))
         m_short_edges.insert({(std::min)(ends[0], ends[1]), (std::max)(ends[0], ends[1])});
     }
-    m_near = near_points(soup.points, m_sides, tolerance);
+    // Where borders are near each other, so may be what was joined to something else: most meshes have neither.
+    if (!near_points(soup.points, open_sides, points_of_borders, tolerance).empty())
+      m_near = near_points(soup.points, m_sides, points_of_borders, tolerance);
   }
 
   // Returns the number of places that became one with another one.
@@ -151,8 +83,8 @@ public:
     std::size_t count = 0;
     for (const auto& [distance, a, b, end, point] : pairs)
       count += unite(end, point) ? 1u : 0u;
-    for (std::size_t& place : m_places)
-      place = place_of(place);
+    if (count > 0)
+      name_one_point_of_each_place();
     return count;
   }
 
@@ -160,14 +92,17 @@ public:
   std::size_t split_sides()
   {
     std::map<std::size_t, std::set<std::size_t>> neighbors; // of each place, over sides
-    for (const auto& [start, end] : m_sides)
-    {
-      neighbors[place_of(start)].insert(place_of(end));
-      neighbors[place_of(end)].insert(place_of(start));
-    }
+    for (std::size_t side = 0; side < m_sides.size(); ++side)
+      if (m_is_open[side])
+      {
+        const std::size_t start = place_of(m_sides[side][0]), end = place_of(m_sides[side][1]);
+        neighbors[start].insert(end);
+        neighbors[end].insert(start);
+      }
     std::map<std::size_t, std::map<std::size_t, double>> on_side; // the positions of places
     for (const Near_point& near : m_near)
-      if (const std::size_t place = place_of(near.point); !is_end(place, near.side))
+      if (const std::size_t place = place_of(near.point);
+          m_is_open[near.side] && !is_end(place, near.side))
         on_side[near.side].emplace(place, near.position);
     std::map<std::size_t, std::vector<std::pair<double, std::size_t>>>
       corners; // of each side, in its direction
@@ -203,6 +138,22 @@ private:
   bool is_end(std::size_t place, std::size_t side)
   {
     return place == place_of(m_sides[side][0]) || place == place_of(m_sides[side][1]);
+  }
+
+  // Polygons whose corners became one name the same point then, as if they had always done so.
+  void name_one_point_of_each_place()
+  {
+    std::vector<std::size_t> point(m_places.size());
+    for (std::size_t i = 0; i < point.size(); ++i)
+    {
+      const bool is_joined = m_members.count(m_sets.find(m_places[i]).first) > 0;
+      m_places[i] = place_of(m_places[i]);
+      point[i] = is_joined ? m_places[i] : i;
+    }
+    Polygons polygons;
+    for (std::size_t i = 0; i < m_soup.polygons.size(); ++i)
+      polygons.add(places_of(m_soup.polygons[i], point));
+    m_soup.polygons = std::move(polygons);
   }
 
   // Not if an edge would vanish.
@@ -262,8 +213,9 @@ private:
   std::vector<std::size_t>& m_places;
   const Face_choice& m_choice;
   double m_tolerance;
-  std::vector<std::array<std::size_t, 2>> m_sides; // without partner, by the places of their ends
+  std::vector<std::array<std::size_t, 2>> m_sides; // by the places of their ends
   std::vector<std::size_t> m_side;                 // of `m_choice`
+  std::vector<bool> m_is_open;                     // has it no partner?
   std::vector<Near_point> m_near;
   std::set<std::pair<std::size_t, std::size_t>> m_short_edges;
   Parity_sets m_sets;                                        // of places that become one
