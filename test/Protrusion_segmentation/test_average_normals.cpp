@@ -14,15 +14,16 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <random>
 #include <utility>
 
 using namespace test_meshes;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
-using CGAL::Protrusion_segmentation::internal::is_flat;
 
 constexpr int outside = -1;
 
@@ -97,7 +98,7 @@ void normals_of_a_sphere_point_outward()
 {
   const Indexed_surface surface = to_surface(jittered(icosphere(4), 0.005, 1));
   const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(
-    surface, seam_graph(surface), centres(surface), false, quiet_execution());
+    surface, seam_graph(surface), centres(surface), 1, quiet_execution());
   for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
     const Indexed_surface::Vector_3 radius = surface.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
@@ -107,16 +108,38 @@ void normals_of_a_sphere_point_outward()
   }
 }
 
-void what_is_flat()
+void what_is_open()
 {
-  const Test_mesh plane = star(5, 30);
-  CHECK(is_flat(to_surface(plane)));
-  CHECK(is_flat(to_surface(translated(rotated(plane, {1, 2, 3}, 0.7), {10, -20, 30}))));
-  CHECK(is_flat(to_surface(with_reversed_orientation(plane))));
-  Test_mesh bent = plane;
-  for (Point& p : bent.points)
-    p[2] = 0.05 * p[0] * p[0];
-  CHECK(!is_flat(to_surface(bent)));
+  using CGAL::Protrusion_segmentation::internal::is_open;
+  CHECK(is_open(to_surface(star(5, 30))));
+  CHECK(!is_open(to_surface(icosphere(2))));
+}
+
+// Near the border of a half sphere normals lean outwards along the surface, whichever side they point to; far away they do not.
+void normals_lean_at_the_border()
+{
+  Test_mesh half = icosphere(4);
+  half.faces.erase(std::remove_if(half.faces.begin(), half.faces.end(),
+                                  [&](const Face& face) {
+                                    return std::any_of(face.begin(), face.end(),
+                                                       [&](std::size_t v)
+                                                       { return half.points[v][2] < 0; });
+                                  }),
+                   half.faces.end());
+  for (const double outward : {1., -1.})
+  {
+    const Indexed_surface surface = to_surface(outward > 0 ? half : with_reversed_orientation(half));
+    const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(
+      surface, seam_graph(surface), centres(surface), outward, quiet_execution());
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
+    {
+      const double height = surface.centroid(f).z();
+      if (height < 0.1)
+        CHECK(outward * normals[f][2] < height - 0.3);
+      if (height > 0.9)
+        CHECK_CLOSE(outward * normals[f][2], height, 0.02);
+    }
+  }
 }
 
 // What is convex has no parts, and a ring has no ends.
@@ -145,6 +168,24 @@ void arms_are_parts()
   check_parts(star(5, 90), segmentation(star(5, 90)), least_share);
   check_parts(star(6, 140), segmentation(star(6, 140)), least_share);
   check_parts(flat_dumbbell(), segmentation(flat_dumbbell()), least_share);
+}
+
+// A sheet may be bent as a roof or a saddle, or sag, by little or much.
+void bent_sheets_have_the_parts_of_flat_ones()
+{
+  const std::function<double(double, double)> heights[] = {
+    [](double x, double y) { return x * y; }, [](double x, double y) { return x * x + y * y; },
+    [](double x, double) { return x * x; }};
+  constexpr double least_share = 0.95;
+  for (const Test_mesh& plane : {star(5, 90), flat_dumbbell()})
+    for (const auto& height : heights)
+      for (const double size : {1e-4, 1e-2, 0.2})
+      {
+        Test_mesh bent = plane;
+        for (Point& p : bent.points)
+          p[2] = size * height(p[0], p[1]);
+        check_parts(bent, segmentation(bent), least_share);
+      }
 }
 
 void place_and_size_do_not_count()
@@ -180,9 +221,11 @@ void a_face_may_have_all_others_around_it()
 int main()
 {
   normals_of_a_sphere_point_outward();
-  what_is_flat();
+  what_is_open();
+  normals_lean_at_the_border();
   no_parts_without_concave_corners();
   arms_are_parts();
+  bent_sheets_have_the_parts_of_flat_ones();
   place_and_size_do_not_count();
   a_face_may_have_all_others_around_it();
   return check::result();

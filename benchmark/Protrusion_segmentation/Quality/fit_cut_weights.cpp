@@ -58,6 +58,9 @@ constexpr std::array<Named_weight, 19> named_weights = {
    {"contrast", &Cut_weights::contrast, 0.3},
    {"mean_cost", &Cut_weights::mean_cost, 0.3},
    {"thickness", &Cut_weights::thickness, 0.3},
+   {"surrounded", &Cut_weights::surrounded, 2},
+   {"most_neighbors", &Cut_weights::most_neighbors, 0.2},
+   {"pocket", &Cut_weights::pocket, 2},
    {"several_loops", &Cut_weights::several_loops, 0.5},
    {"flatness", &Cut_weights::flatness, 2},
    {"least_flatness", &Cut_weights::least_flatness, 0.1}}};

@@ -50,7 +50,7 @@ Segments of less than 0.25 % of the area of a component are not cut off: a compo
 
 With `CGAL::Parallel_tag`, several threads search for cuts if the distance is the method's own; the labels are the same.
 
-Complexity: linear in the number of faces. Cuts are searched on a coarse graph of about two thousand nodes, so that the time
+Complexity: linear in the number of faces. Cuts are searched on a coarse graph of some 1,400 nodes, so that the time
 of the search does not depend on the number of faces. Each given tip takes a minimum cut of the coarse graph.
 */
 class Minimum_cut_method

@@ -28,6 +28,7 @@ struct Cut_clues
   double contrast;         // log of the cost of a cut beside this one relative to it, on the dearer side
   double mean_cost;        // log of the cost of a unit of length
   double thickness;        // log of the volume of the smaller side relative to its area and opening
+  double pocket;           // of a smaller side that goes into the body, its volume relative to its area and opening, else 0
   double several_loops;    // 1 if the cut consists of several loops, else 0
   double flatness;         // of the area of the smaller side, the share that faces one way and not the
                            // other: 1 of a piece of a plane, 1/2 of a half sphere, near 0 of a limb; 0 of a flat sheet
@@ -51,9 +52,12 @@ struct Cut_weights
   double smaller_shoulder = 1;
   double roundness = -0.6;
   double neighbors = -1;
+  double surrounded = -6; // what has little but earlier borders around it is a part of the core between limbs
+  double most_neighbors = 1.2;
   double contrast = 0.4;
   double mean_cost = -0.8;
   double thickness = 0.3;
+  double pocket = -10; // what goes in is no protrusion
   double several_loops = -1.5;
   double flatness = -12; // a hill, a scale or a pocket faces one way as a whole and is no protrusion
   double least_flatness = 0.6;
@@ -67,8 +71,9 @@ struct Cut_weights
            segment_size * clues.segment_size + larger_widening * clues.larger_widening +
            smaller_widening * clues.smaller_widening + larger_shoulder * shoulder +
            smaller_shoulder * clues.smaller_shoulder + roundness * clues.roundness + neighbors * clues.neighbors +
+           surrounded * (std::max)(0., clues.neighbors - most_neighbors) +
            contrast * clues.contrast + mean_cost * clues.mean_cost + thickness * clues.thickness +
-           several_loops * clues.several_loops + flatness * (std::max)(0., clues.flatness - least_flatness);
+           pocket * clues.pocket + several_loops * clues.several_loops + flatness * (std::max)(0., clues.flatness - least_flatness);
   }
 };
 

@@ -43,7 +43,7 @@ public:
   // gravity on until the segment is covered.
   std::vector<Nodes> operator()(const Segment& segment, Execution& execution)
   {
-    constexpr std::size_t maximum_number_of_tips = 12;
+    constexpr std::size_t maximum_number_of_tips = 9;
     constexpr double least_distance = 0.1; // between tips, as a share of the segment's size
     const double size = std::sqrt(segment.area);
     for (Index i : segment.nodes)

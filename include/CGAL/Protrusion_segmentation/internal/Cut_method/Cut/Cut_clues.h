@@ -46,7 +46,8 @@ public:
   struct Cut_measures
   {
     double length, cost;
-    Vector_3 opening; // its area vector, out of the inner side
+    Vector_3 opening;     // its area vector, out of the inner side
+    double share_of_sheet; // 1 if it crosses a sheet, 0 if it goes around a body, or half a one
   };
 
   // `along_cut`: the nodes along the cut on one side
@@ -73,7 +74,8 @@ public:
     for (Index node : near.nodes)
       m_share[node] = 0;
     return {std::log(widening),
-            m_graph.is_flat ? flat_shoulder(widening, width, cut.length) : shoulder(area_vector, area, inner, cut.opening),
+            cut.share_of_sheet * flat_shoulder(widening, width, cut.length) +
+              (1 - cut.share_of_sheet) * shoulder(area_vector, area, inner, cut.opening),
             std::log((far_cost + 0.1 * cut.cost) / cut.cost)};
   }
 
@@ -141,7 +143,7 @@ public:
   Cut_clues operator()(Strip_measurer& measure_strip)
   {
     const auto [along_inside, along_outside] = m_bisection.partition().nodes_along_cut(m_bisection.inner());
-    const Strip_measurer::Cut_measures cut{m_length, m_cost, m_opening};
+    const Strip_measurer::Cut_measures cut{m_length, m_cost, m_opening, share_of_sheet()};
     const Cut_strip inside = measure_strip(m_bisection, along_inside, true, cut);
     const Cut_strip outside = measure_strip(m_bisection, along_outside, false, cut);
     Cut_clues clues;
@@ -154,20 +156,27 @@ public:
     clues.neighbors = std::log(1 + m_earlier_length / m_length);
     clues.contrast = (std::max)(inside.contrast, outside.contrast);
     clues.mean_cost = std::log(m_cost / m_length + 0.02);
-    clues.thickness = std::log((std::max)(0.001, 4 * volume() / (m_smaller_area * std::sqrt(opening() + 0.02 * m_smaller_area))));
+    const double thickness = 4 * volume() / (m_smaller_area * std::sqrt(opening() + 0.02 * m_smaller_area));
+    clues.thickness = std::log((std::max)(0.001, std::abs(thickness)));
+    clues.pocket = (std::max)(0., -thickness);
     clues.several_loops = has_several_loops(along_inside, along_outside) ? 1 : 0;
-    clues.flatness = m_graph.is_flat ? 0 : std::sqrt(m_area_vector.squared_length()) / m_smaller_area;
+    clues.flatness = (1 - m_openness) * std::sqrt(m_area_vector.squared_length()) / m_smaller_area;
     return clues;
   }
 
 private:
-  // A flat sheet is measured as one half of a round body, of which a cut has a circular opening and cuts off a cylinder.
-  // In units of the root of the area of both halves, it is longer by the root of two.
-  double length_around() const { return m_graph.is_flat ? std::sqrt(2.) * m_length : m_length; }
+  // What is divided by a cut that ends at the border of the surface is measured as one half of a round body, of which a cut has a
+  // circular opening and cuts off a cylinder. In units of the root of the area of both halves, it is longer by the root of
+  // two.
+  double length_around() const { return m_length * (1 + (std::sqrt(2.) - 1) * m_openness); }
+  double round_opening() const { return m_openness * CGAL::square(m_length) / (2 * CGAL_PI); }
   // the area of the opening that the cut leaves
-  double opening() const
+  double opening() const { return (std::max)(round_opening(), std::sqrt(m_opening.squared_length())); }
+  double share_of_sheet() const
   {
-    return m_graph.is_flat ? CGAL::square(length_around()) / (4 * CGAL_PI) : std::sqrt(m_opening.squared_length());
+    constexpr double cone_of_half_circle = 1 - 4 / (CGAL_PI * CGAL_PI); // from its centre of gravity, relative to half a disk
+    const double cone = std::sqrt(m_opening.squared_length()), round = cone_of_half_circle * round_opening();
+    return cone < round ? 1 - cone / round : 0;
   }
 
   void measure_cut()
@@ -187,6 +196,7 @@ private:
     m_cost = (std::max)(m_cost, least_length);
     m_centre = moment / m_length;
     m_opening -= cross_product(m_centre, ends) / 2; // a cone over the cut, also if this ends at the border of the surface
+    m_along_surface_border = m_inner_is_smaller ? ends : -ends;
   }
 
   void measure_smaller_side()
@@ -200,15 +210,22 @@ private:
       m_flux += m_graph.flux[i];
       for (Index arc : m_graph.arcs(i))
         if (!partition.is_selected(m_graph.target[arc]))
+        {
           m_earlier_length += m_graph.border_length[arc];
+          m_along_surface_border += m_graph.border_vector[arc];
+        }
     }
+    constexpr double openness_of_half_circle = 2 / CGAL_PI;
+    m_openness =
+      (std::min)(1., std::sqrt(m_along_surface_border.squared_length()) / (openness_of_half_circle * m_length));
   }
 
-  // of the smaller side, closed by a cone over the cut
+  // of the smaller side, closed by a cone over the cut; negative if it goes into the body
   double volume() const
   {
-    return m_graph.is_flat ? m_smaller_area * length_around() / (4 * CGAL_PI)
-                           : std::abs(m_flux - m_area_vector * m_centre) / 3;
+    const double volume = m_graph.outward * (m_flux - m_area_vector * m_centre) / 3;
+    const double of_half_cylinder = m_openness * m_smaller_area * length_around() / (4 * CGAL_PI);
+    return std::abs(volume) < of_half_cylinder ? of_half_cylinder : volume;
   }
 
   bool has_several_loops(const Nodes& along_inside, const Nodes& along_outside) const
@@ -224,6 +241,9 @@ private:
   bool m_inner_is_smaller;
   double m_concave_length = 0, m_length = 0, m_cost = 0; // of the cut
   Vector_3 m_opening{0, 0, 0}, m_centre{0, 0, 0};        // of the cut
+  // along the border of the surface around the smaller side, from its end to its beginning: all borders of a side are closed
+  Vector_3 m_along_surface_border{0, 0, 0};
+  double m_openness = 0; // of the cut: 0 of a loop, 1 if it ends at distant places of the border of the surface
   double m_earlier_length = 0, m_flux = 0;               // of the smaller side
   Vector_3 m_area_vector{0, 0, 0};                       // of the smaller side
 };

@@ -32,7 +32,7 @@ struct Graphs_of_surface
   Seam_graph fine;
   std::optional<Seam_graph> groups;
   std::vector<Index> group_of_face; // if there are groups
-  Volume_graph coarse;              // of about two thousand nodes, which do not straddle seams
+  Volume_graph coarse;              // of some 1,400 nodes, which do not straddle seams
   std::vector<Index> node_of_face;  // of the coarse graph
 
   Graphs_of_surface(const Indexed_surface& surface, const Cut_options& options, Execution& execution)

@@ -17,73 +17,67 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-inline Indexed_surface::Vector_3 area_vector(const Indexed_surface& surface, bool is_parallel = false)
+// Whether the surface has a border.
+inline bool is_open(const Indexed_surface& surface)
 {
-  return add_numbers(surface.number_of_faces(), is_parallel, Indexed_surface::Vector_3(0, 0, 0),
-                     [&](Indexed_surface::Vector_3& sum, Indexed_surface::Index f) { sum += surface.area_vector(f); });
+  for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
+    for (Indexed_surface::Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
+      if (surface.neighbor(c) == Indexed_surface::no_face())
+        return true;
+  return false;
 }
 
-// Whether all faces of a surface have the same normal: a sheet cut out of a plane.
-inline bool is_flat(const Indexed_surface& surface, bool is_parallel = false)
-{
-  // of the area, lost when it is seen from the front: normals differ by less than a tenth of a degree
-  constexpr double largest_loss = 1e-6;
-  return surface.area() > 0 &&
-         std::sqrt(area_vector(surface, is_parallel).squared_length()) >= (1 - largest_loss) * surface.area();
-}
-
-// Normals of a flat surface as if it were rounded off towards its border: they lean outwards there, and less farther away.
-// Only the outline of such a surface shows what sticks out. At its concave corners, normals lean towards each other: a seam.
-class Rounded_normals
+// Leans the normals of an open surface outwards near its border, as if it were rounded off there. Of a sheet only the outline
+// shows what sticks out, of a scan from one side much of it: at concave corners of the border, normals lean towards each
+// other, which makes a seam.
+class Border_rounding
 {
 public:
   using Index = Indexed_surface::Index;
   using Vector_3 = Indexed_surface::Vector_3;
 
-  Rounded_normals(const Indexed_surface& surface, Execution& execution)
-    : m_surface(surface), m_execution(execution), m_normal(area_vector(surface) / surface.area())
-  {}
+  Border_rounding(const Indexed_surface& surface, Execution& execution) : m_surface(surface), m_execution(execution) {}
 
-  // `graph` is the dual graph of the surface, `centre` its centres.
-  Triples operator()(const Dual_graph& graph, const Centres& centre) const
+  // `graph` is the dual graph of the surface, `centre` its centres; `outward`: 1 if normals point out of the body, else -1
+  void operator()(const Dual_graph& graph, const Centres& centre, double outward, Triples& normals) const
   {
-    Triples normals = directions_at_border();
-    Multilevel_diffusion(radius, m_execution)(graph, centre, normals);
-    for (Triple& normal : normals)
+    Triples directions = directions_at_border(normals);
+    Multilevel_diffusion(radius, m_execution)(graph, centre, directions);
+    for (std::size_t f = 0; f < normals.size(); ++f)
     {
-      const Vector_3 sum = m_normal + Vector_3(normal[0], normal[1], normal[2]);
-      normal = triple(sum / std::sqrt(sum.squared_length()));
+      const Vector_3 normal = vector(normals[f]), direction = vector(directions[f]);
+      const Vector_3 tangential = direction - (direction * normal) * normal; // it may have come around an edge
+      normals[f] = triple(normal + outward * tangential);
     }
-    return normals;
   }
 
 private:
-  // Distance from the border within which normals lean, in units of the square root of the area. With half of it trunks are
-  // cut between distant concave places; with twice as much arms of a star are not cut off.
-  static constexpr double radius = 0.2;
+  static Vector_3 vector(const Triple& t) { return {t[0], t[1], t[2]}; }
 
-  // Outwards in the faces at the border. After diffusion over the radius a straight border has directions of length 2.
-  Triples directions_at_border() const
+  // Distance from the border within which normals lean, in units of the square root of the area. With half of it arms of a
+  // star are cut off anywhere, with twice as much few of them are.
+  static constexpr double radius = 0.1;
+
+  // Outwards in the faces at the border. After diffusion over the radius a straight border has directions of length 8:
+  // normals there point away from the surface, as those of a wall do.
+  Triples directions_at_border(const Triples& normals) const
   {
     const double unit = std::sqrt(m_surface.area());
     Triples result(m_surface.number_of_faces(), {0, 0, 0});
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
     {
-      Vector_3 sum(0, 0, 0);
+      Vector_3 border(0, 0, 0);
       for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
         if (m_surface.neighbor(c) == Indexed_surface::no_face())
-          sum += cross_product(m_surface.point(m_surface.vertex(m_surface.next_corner(f, c))) -
-                                 m_surface.point(m_surface.vertex(c)),
-                               m_normal);
+          border += m_surface.point(m_surface.vertex(m_surface.next_corner(f, c))) - m_surface.point(m_surface.vertex(c));
       if (m_surface.area(f) > 0)
-        result[f] = triple(sum * (radius * unit / m_surface.area(f)));
+        result[f] = triple(cross_product(border, vector(normals[f])) * (4 * radius * unit / m_surface.area(f)));
     }
     return result;
   }
 
   const Indexed_surface& m_surface;
   Execution& m_execution;
-  Vector_3 m_normal;
 };
 
 // Scales each vector to length 1; where it vanishes, it stays the zero vector.
@@ -99,17 +93,16 @@ inline void normalize(Triples& vectors, bool is_parallel)
                   });
 }
 
-// The unit normals of the faces, each the average over a radius around it. `graph` is the dual graph of the surface.
+// The unit normals of the faces, each the average over a radius around it. `graph` is the dual graph of the surface;
+// `outward`: 1 if they point out of the body, else -1
 inline Triples average_normals(const Indexed_surface& surface,
                                const Dual_graph& graph,
                                const Centres& centre,
-                               bool is_flat,
+                               double outward,
                                Execution& execution)
 {
   // in units of the square root of the area; between .015 and .05 without effect
   constexpr double normal_radius = 0.03;
-  if (is_flat)
-    return Rounded_normals(surface, execution)(graph, centre);
   Triples normals(surface.number_of_faces(), {0, 0, 0});
   for_each_number(normals.size(), execution.is_parallel(),
                   [&](Indexed_surface::Index f)
@@ -119,6 +112,11 @@ inline Triples average_normals(const Indexed_surface& surface,
                   });
   Multilevel_diffusion(normal_radius, execution)(graph, centre, normals);
   normalize(normals, execution.is_parallel());
+  if (is_open(surface))
+  {
+    Border_rounding(surface, execution)(graph, centre, outward, normals);
+    normalize(normals, execution.is_parallel());
+  }
   return normals;
 }
 

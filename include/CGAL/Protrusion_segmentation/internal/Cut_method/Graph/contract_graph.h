@@ -198,7 +198,7 @@ Contracted<Graph> contract(const Graph& graph, const Centres& centre_of_node, Cl
     result.graph.first_arc, result.graph.target, is_parallel, add, append);
   measure_lengths(result.graph, result.centre, is_parallel);
   if constexpr (has_seams)
-    result.graph.is_flat = graph.is_flat;
+    result.graph.outward = graph.outward;
   result.node = std::move(clusters.of_node);
   return result;
 }

@@ -155,16 +155,15 @@ public:
   // `graph` has all of a dual graph, `centre` its centres.
   void operator()(Seam_graph& graph, const Centres& centre) const
   {
-    graph.is_flat = is_flat(m_surface, m_execution.is_parallel());
-    const double outward = !graph.is_flat && signed_volume(m_surface, m_execution.is_parallel()) < 0 ? -1 : 1;
-    const Triples normals = average_normals(m_surface, graph, centre, graph.is_flat, m_execution);
+    graph.outward = signed_volume(m_surface, m_execution.is_parallel()) < 0 ? -1 : 1;
+    const Triples normals = average_normals(m_surface, graph, centre, graph.outward, m_execution);
     for (std::vector<float>* weights : {&graph.curvature, &graph.concave_length, &graph.capacity})
       weights->resize(graph.target.size());
     for_each_number(graph.number_of_nodes(), m_execution.is_parallel(),
                     [&](Index f)
                     {
                       for (Index arc : graph.arcs(f))
-                        weigh(graph, arc, outward * angle(f, graph.target[arc], normals));
+                        weigh(graph, arc, graph.outward * angle(f, graph.target[arc], normals));
                     });
   }
 
