@@ -15,6 +15,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <system_error>
 
 #include <unistd.h>
@@ -98,7 +99,8 @@ void fuzz_mesh_file(const std::string& extension, const std::string& bytes, std:
   tool::Input_mesh input;
   try
   {
-    input = tool::read_input_mesh(file.name());
+    constexpr double wide = .1;
+    input = tool::read_input_mesh(file.name(), choice % 3 == 0 ? std::optional<double>(wide) : std::nullopt);
   }
   catch (const tool::Error& error)
   {

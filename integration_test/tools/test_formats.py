@@ -12,7 +12,8 @@ from mesh_files import OffFile, labels
 from records import read_record
 
 TETRAHEDRA = ["tetrahedron.off", "tetrahedron.obj", "tetrahedron.ply", "tetrahedron.stl",
-              "tetrahedron_binary.stl", "tetrahedron.ts", "tetrahedron.off.gz", "no_keyword.off"]
+              "tetrahedron_binary.stl", "tetrahedron.ts", "tetrahedron.off.gz", "no_keyword.off",
+              "more_numbers_than_in_header.ply", "numbers_not_in_lines.ply"]
 
 
 @pytest.mark.parametrize("keyword", "COFF NOFF STOFF NCOFF CSTOFF NSTOFF STNOFF NCSTOFF CNSTOFF "
@@ -38,6 +39,8 @@ def test_unknown_keyword_of_off(segment, tetrahedron, tmp_path, keyword):
     ("missing_vertex.ts", "missing_vertex.ts: line 6: names vertex 4, "),
     ("utf_16.off", "UTF-16"),
     ("range_grid.ply", "range grid"),
+    ("fewer_numbers_than_in_header.ply", "line 11: has fewer numbers than the header says"),
+    ("git_lfs_pointer.stl", "is a pointer of Git LFS"),
     ("no_such_file.off", "no_such_file.off: "),
 ])
 def test_message_on_a_bad_mesh(segment, data, name, message):
@@ -66,7 +69,7 @@ def test_name_that_begins_with_a_dash(segment, tetrahedron, tmp_path):
 
 @pytest.mark.parametrize("name, message", [
     ("two_surfaces.ts", "2 faces, 2 segments"),
-    ("atoms.ts", "4 faces, 1 segments"),
+    ("atoms.ts", "4 faces, 1 segment,"),
 ])
 def test_number_of_faces(segment, data, name, message):
     assert message in segment(data / name).out
@@ -76,7 +79,7 @@ def test_number_of_faces(segment, data, name, message):
     ("facet_of_two_points.stl", "1 degenerate face has the label of a neighbour",
      "degenerate_faces", 1),
     ("double_sided.off", "6 duplicate faces have that of the first", "duplicate_faces", 6),
-    ("wall_between_solids.off", "", "components", 1),
+    ("wall_between_solids.off", "", "components", 2),
 ])
 def test_repairs(segment, data, name, message, key, number):
     assert message in segment(data / name).err

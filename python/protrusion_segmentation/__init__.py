@@ -9,8 +9,9 @@ A mesh is given as vertices, an array of shape (n, 3), and faces: an array of sh
 (m, k) for polygons of k corners, or a sequence of polygons of any sizes. Corners are numbers of vertices, from 0.
 
 Every face gets a label, in the order of the faces given. Faces that are no surface are repaired: vertices at one place
-count as one, wrong orientations are reversed, and at edges of more than two faces two of them are joined. Degenerate
-faces get the label of a neighbour, duplicate faces that of the first copy.
+count as one, wrong orientations are reversed, and at edges of more than two faces those that bound the same solid are
+joined. Degenerate faces get the label of a neighbour, duplicate faces that of the first copy. Corners on borders that
+differ by rounding are joined. Closed components are turned outward.
 
 Arguments that make no sense raise ValueError, which names the argument and what it may be. While a function computes,
 other threads run, and Ctrl-C stops it with KeyboardInterrupt.
@@ -42,6 +43,8 @@ def segment(
     method: Method = "minimum-cut",
     distance: Optional[Distance] = None,
     random_seed: int = 0,
+    snapping_tolerance: Optional[float] = None,
+    join_pieces: Union[bool, float] = False,
 ) -> Labels:
     """Split a mesh into a body and its protrusions.
 
@@ -57,6 +60,10 @@ def segment(
         landmarks; "diffusion": how differently random walks spread; "heat": paths over the faces, by the heat method;
         "exact": exact paths over the faces, which take long on more than a few thousand faces
     random_seed : seed of all random choices; the same seed gives the same labels
+    snapping_tolerance : the distance up to which corners on borders count as one, and lie on an edge; 0 joins equal
+        corners only. Without it, those are joined that differ by rounding, about a millionth of the size
+    join_pieces : True segments loose pieces as one shape: pieces that touch, overlap or are less than a gap apart.
+        Hidden pieces go with what covers them. A number is the gap; True means a fortieth of the size
 
     Returns
     -------
@@ -71,7 +78,9 @@ def segment(
         If the mesh or an argument makes no sense.
     """
     count = None if number_of_segments is None else _integer("number_of_segments", number_of_segments)
-    return _core.segment(*_arrays(vertices, faces), count, *_choices(method, distance), _seed(random_seed))
+    choices = _choices(method, distance)
+    options = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
+    return _core.segment(*_arrays(vertices, faces), count, *choices, *options)
 
 
 def segment_from_tips(
@@ -81,13 +90,15 @@ def segment_from_tips(
     method: Method = "minimum-cut",
     distance: Optional[Distance] = None,
     random_seed: int = 0,
+    snapping_tolerance: Optional[float] = None,
+    join_pieces: Union[bool, float] = False,
 ) -> Labels:
     """Cut off the protrusions at given tips, such as those of `tips()`, edited or picked by a user.
 
     Parameters
     ----------
     tips : the faces at the tips, as numbers from 0. A tip for which no border is found makes no segment.
-    vertices, faces, method, distance, random_seed : as for `segment()`
+    vertices, faces, method, distance, random_seed, snapping_tolerance, join_pieces : as for `segment()`
 
     Returns
     -------
@@ -96,7 +107,8 @@ def segment_from_tips(
     """
     picked = _integers("tips", tips).tolist()
     choices = _choices(method, distance)
-    return _core.segment_from_tips(*_arrays(vertices, faces), picked, *choices, _seed(random_seed))
+    options = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
+    return _core.segment_from_tips(*_arrays(vertices, faces), picked, *choices, *options)
 
 
 @dataclass(frozen=True, eq=False)  # arrays have no one answer to whether they are equal
@@ -139,16 +151,20 @@ def hierarchy(
     method: Method = "minimum-cut",
     distance: Optional[Distance] = None,
     random_seed: int = 0,
+    snapping_tolerance: Optional[float] = None,
+    join_pieces: Union[bool, float] = False,
 ) -> Hierarchy:
     """Compute the nested protrusions of a mesh, to choose the number of segments afterwards.
 
     Parameters
     ----------
     maximum_number_of_segments : where to stop; the hierarchy ends earlier if no more borders are found
-    vertices, faces, method, distance, random_seed : as for `segment()`
+    vertices, faces, method, distance, random_seed, snapping_tolerance, join_pieces : as for `segment()`
     """
     count = _integer("maximum_number_of_segments", maximum_number_of_segments)
-    labels, parents = _core.hierarchy(*_arrays(vertices, faces), count, *_choices(method, distance), _seed(random_seed))
+    choices = _choices(method, distance)
+    options = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
+    labels, parents = _core.hierarchy(*_arrays(vertices, faces), count, *choices, *options)
     return Hierarchy(parents=parents, finest_labels=labels)
 
 
@@ -158,13 +174,15 @@ def tips(
     number_of_tips: int,
     distance: Distance = "geodesic",
     random_seed: int = 0,
+    snapping_tolerance: Optional[float] = None,
+    join_pieces: Union[bool, float] = False,
 ) -> Labels:
     """Select the tips of protrusions: a face far from all others, then again and again the face farthest from all.
 
     Parameters
     ----------
     number_of_tips : at most the number of faces
-    vertices, faces, distance, random_seed : as for `segment()`
+    vertices, faces, distance, random_seed, snapping_tolerance, join_pieces : as for `segment()`
 
     Returns
     -------
@@ -172,7 +190,8 @@ def tips(
         The faces at the tips, in the order of selection in each connected component.
     """
     count = _integer("number_of_tips", number_of_tips)
-    return _core.tips(*_arrays(vertices, faces), count, _choice("distance", distance, get_args(Distance)), _seed(random_seed))
+    options = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
+    return _core.tips(*_arrays(vertices, faces), count, _choice("distance", distance, get_args(Distance)), *options)
 
 
 class Metrics(NamedTuple):
@@ -216,6 +235,8 @@ def _arrays(vertices: npt.ArrayLike, faces: Faces) -> Tuple[npt.NDArray[np.float
     if points.ndim != 2 or points.shape[1] != 3:
         raise ValueError(f"vertices: the shape is {points.shape}, not (n, 3)")
     if isinstance(faces, np.ndarray) and faces.dtype != object:
+        if faces.dtype.kind in "iu":
+            _check_layout(faces)
         if faces.ndim != 2:
             raise ValueError(f"faces: the shape is {faces.shape}, not (m, 3)")
         return points, _integers("faces", faces.reshape(-1)), np.full(faces.shape[0], faces.shape[1], np.int64)
@@ -225,7 +246,23 @@ def _arrays(vertices: npt.ArrayLike, faces: Faces) -> Tuple[npt.NDArray[np.float
         corners = list(itertools.chain.from_iterable(polygons))
     except TypeError:
         raise ValueError("faces: neither an array of shape (m, 3) nor a sequence of polygons") from None
-    return points, _integers("faces", corners), sizes
+    numbers = _integers("faces", corners)
+    if sizes.size > 0 and sizes[0] > 0 and (sizes == sizes[0]).all():
+        _check_layout(numbers.reshape(-1, sizes[0]))
+    return points, numbers, sizes
+
+
+def _check_layout(faces: npt.NDArray[Any]) -> None:
+    """Other layouts of triangles, named as such: what they would mean here makes no sense."""
+    rows = faces.reshape(-1, 4) if faces.ndim == 1 and faces.size % 4 == 0 else faces
+    if rows.ndim == 2 and rows.shape[0] > 1 and (rows[:, :1] == rows.shape[1] - 1).all() and rows.shape[1] > 3:
+        raise ValueError(
+            f"faces: in VTK's layout, with the number of corners, {rows.shape[1] - 1}, before each face; "
+            f"faces.reshape(-1, {rows.shape[1]})[:, 1:] are the corners"
+        )
+    if faces.ndim == 2 and faces.shape[0] == 3 and faces.shape[1] > 3:
+        if any(np.unique(row).size < row.size for row in faces):
+            raise ValueError(f"faces: the shape is {faces.shape}, not (m, 3); faces.T has it")
 
 
 def _integers(name: str, values: npt.ArrayLike) -> Labels:
@@ -273,3 +310,28 @@ def _seed(random_seed: int) -> int:
     if not 0 <= seed <= largest:
         raise ValueError(f"random_seed is {seed}, but it must be from 0 to {largest}")
     return seed
+
+
+def _tolerance(value: Optional[float]) -> Optional[float]:
+    if value is None:
+        return None
+    try:
+        tolerance = float(value)
+    except (TypeError, ValueError):
+        raise ValueError(f"snapping_tolerance is no number, but {value!r}") from None
+    if not 0 <= tolerance < float("inf"):
+        raise ValueError(f"snapping_tolerance is {value}, but it must be a distance, at least 0")
+    return tolerance
+
+
+def _gap(value: Union[bool, float]) -> Optional[float]:
+    """None if pieces are not joined, and 0 if they are by the gap of the package."""
+    if isinstance(value, (bool, np.bool_)):
+        return 0.0 if value else None
+    try:
+        gap = float(value)
+    except (TypeError, ValueError):
+        raise ValueError(f"join_pieces is neither true nor false nor a number, but {value!r}") from None
+    if not 0 < gap < float("inf"):
+        raise ValueError(f"join_pieces is {value}, but a gap must be a distance above 0")
+    return gap

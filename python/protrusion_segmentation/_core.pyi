@@ -20,6 +20,8 @@ def segment(
     method: str,
     distance: Optional[str],
     random_seed: int,
+    snapping_tolerance: Optional[float],
+    joining_gap: Optional[float],
 ) -> Integers: ...
 def segment_from_tips(
     vertices: Coordinates,
@@ -29,6 +31,8 @@ def segment_from_tips(
     method: str,
     distance: Optional[str],
     random_seed: int,
+    snapping_tolerance: Optional[float],
+    joining_gap: Optional[float],
 ) -> Integers: ...
 def hierarchy(
     vertices: Coordinates,
@@ -38,9 +42,18 @@ def hierarchy(
     method: str,
     distance: Optional[str],
     random_seed: int,
+    snapping_tolerance: Optional[float],
+    joining_gap: Optional[float],
 ) -> Tuple[Integers, Integers]: ...
 def tips(
-    vertices: Coordinates, corners: Integers, sizes: Integers, number_of_tips: int, distance: str, random_seed: int
+    vertices: Coordinates,
+    corners: Integers,
+    sizes: Integers,
+    number_of_tips: int,
+    distance: str,
+    random_seed: int,
+    snapping_tolerance: Optional[float],
+    joining_gap: Optional[float],
 ) -> Integers: ...
 def evaluate(
     vertices: Coordinates, corners: Integers, sizes: Integers, labels: Integers, reference: Integers

@@ -44,9 +44,15 @@ std::vector<T> copy(const py::array_t<T, py::array::c_style>& array)
   return std::vector<T>(array.data(), array.data() + array.size());
 }
 
-Arrays copy(const Coordinates& vertices, const Integers& corners, const Integers& sizes)
+// Pieces are joined if there is a gap; with 0 it is that of the package.
+Arrays copy(const Coordinates& vertices,
+            const Integers& corners,
+            const Integers& sizes,
+            std::optional<double> snapping_tolerance = std::nullopt,
+            std::optional<double> joining_gap = std::nullopt)
 {
-  return {copy(vertices), copy(corners), copy(sizes)};
+  const std::optional<double> gap = joining_gap && *joining_gap > 0 ? joining_gap : std::nullopt;
+  return {copy(vertices), copy(corners), copy(sizes), snapping_tolerance, joining_gap.has_value(), gap};
 }
 
 Integers as_array(const Labels& values)
@@ -77,7 +83,7 @@ Integers labels_of_faces(Arrays arrays, Segment segment)
       const tool::Input_mesh input = mesh_of_arrays(arrays);
       Labels labels(input.mesh.number_of_faces());
       segment(input, label_map(labels, input.mesh), visitor);
-      return tool::spread(labels, input);
+      return tool::labels_of_file(labels, input);
     }));
 }
 
@@ -87,10 +93,12 @@ Integers segment(const Coordinates& vertices,
                  std::optional<Count> number_of_segments,
                  const std::string& method,
                  const std::optional<std::string>& distance,
-                 unsigned int random_seed)
+                 unsigned int random_seed,
+                 std::optional<double> snapping_tolerance,
+                 std::optional<double> joining_gap)
 {
   return labels_of_faces(
-    copy(vertices, corners, sizes),
+    copy(vertices, corners, sizes, snapping_tolerance, joining_gap),
     [=](const tool::Input_mesh& input, auto labels, Stoppable& visitor)
     {
       const auto np = named_parameters(random_seed, visitor);
@@ -123,10 +131,12 @@ Integers segment_from_tips(const Coordinates& vertices,
                            const std::vector<std::int64_t>& tips,
                            const std::string& method,
                            const std::optional<std::string>& distance,
-                           unsigned int random_seed)
+                           unsigned int random_seed,
+                           std::optional<double> snapping_tolerance,
+                           std::optional<double> joining_gap)
 {
   return labels_of_faces(
-    copy(vertices, corners, sizes),
+    copy(vertices, corners, sizes, snapping_tolerance, joining_gap),
     [=](const tool::Input_mesh& input, auto labels, Stoppable& visitor)
     {
       const std::vector<tool::Face> faces = faces_at(tips, input);
@@ -143,10 +153,12 @@ std::pair<Integers, Integers> hierarchy(const Coordinates& vertices,
                                         Count maximum_number_of_segments,
                                         const std::string& method,
                                         const std::optional<std::string>& distance,
-                                        unsigned int random_seed)
+                                        unsigned int random_seed,
+                                        std::optional<double> snapping_tolerance,
+                                        std::optional<double> joining_gap)
 {
   const auto [labels, parents] = run_interruptibly(
-    [=, arrays = copy(vertices, corners, sizes)](Stoppable& visitor)
+    [=, arrays = copy(vertices, corners, sizes, snapping_tolerance, joining_gap)](Stoppable& visitor)
     {
       const tool::Input_mesh input = mesh_of_arrays(arrays);
       const auto np = named_parameters(random_seed, visitor);
@@ -159,7 +171,7 @@ std::pair<Integers, Integers> hierarchy(const Coordinates& vertices,
       Labels parents;
       for (std::size_t s = 0; s < number_of_segments; ++s)
         parents.push_back(found.parent(s));
-      return std::make_pair(tool::spread(labels, input), parents);
+      return std::make_pair(tool::labels_of_file(labels, input), parents);
     });
   return {as_array(labels), as_array(parents)};
 }
@@ -169,10 +181,12 @@ Integers tips(const Coordinates& vertices,
               const Integers& sizes,
               Count number_of_tips,
               const std::string& distance,
-              unsigned int random_seed)
+              unsigned int random_seed,
+              std::optional<double> snapping_tolerance,
+              std::optional<double> joining_gap)
 {
   return as_array(run_interruptibly(
-    [=, arrays = copy(vertices, corners, sizes)](Stoppable& visitor)
+    [=, arrays = copy(vertices, corners, sizes, snapping_tolerance, joining_gap)](Stoppable& visitor)
     {
       const tool::Input_mesh input = mesh_of_arrays(arrays);
       std::vector<tool::Face> found;

@@ -47,7 +47,7 @@ tool::Polygon read_polygon(const std::vector<std::int64_t>& corners,
 
 std::vector<tool::Polygon> read_polygons(const Arrays& arrays, std::size_t number_of_vertices)
 {
-  const auto& [coordinates, corners, sizes] = arrays;
+  const std::vector<std::int64_t>&corners = arrays.corners, &sizes = arrays.sizes;
   if (sizes.empty())
     throw std::invalid_argument("faces: there are none");
   std::vector<tool::Polygon> polygons;
@@ -91,7 +91,8 @@ tool::Input_mesh mesh_of_arrays(const Arrays& arrays)
   check_points(soup);
   try
   {
-    return tool::make_input_mesh(std::move(soup));
+    return arrays.are_pieces_joined ? tool::join_pieces(std::move(soup), arrays.gap)
+                                    : tool::make_input_mesh(std::move(soup), arrays.snapping_tolerance);
   }
   catch (const tool::Format_error& error)
   {

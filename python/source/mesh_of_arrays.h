@@ -8,6 +8,7 @@
 #include "repair/Input_mesh.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace python
@@ -19,6 +20,9 @@ struct Arrays
   std::vector<double> coordinates;   // x, y and z of each vertex
   std::vector<std::int64_t> corners; // of all faces, one after the other, as numbers of vertices
   std::vector<std::int64_t> sizes;   // the number of corners of each face
+  std::optional<double> snapping_tolerance; // up to which corners on borders are one
+  bool are_pieces_joined = false;
+  std::optional<double> gap; // up to which pieces are joined
 };
 
 // The surface that the faces make up, repaired as the command line tools do. Throws std::invalid_argument if an array

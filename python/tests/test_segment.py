@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import protrusion_segmentation as ps
-from meshes import TETRAHEDRON, arms, ball_with_arms
+from meshes import TETRAHEDRON, arms, ball_with_arms, icosahedron
 
 POINTS, TRIANGLES = ball_with_arms()
 METHODS = ("minimum-cut", "paper")
@@ -120,6 +120,47 @@ def test_soup_without_common_vertices():
     soup = POINTS[TRIANGLES].reshape(-1, 3)
     labels = ps.segment(soup, np.arange(len(soup)).reshape(-1, 3), 7)
     assert (labels == ps.segment(POINTS, TRIANGLES, 7)).all()
+
+
+def test_corners_that_nearly_agree_are_one():
+    soup = POINTS[TRIANGLES].reshape(-1, 3)
+    faces = np.arange(len(soup)).reshape(-1, 3)
+    labels = ps.segment(POINTS, TRIANGLES, 7)
+    for distance, tolerance in ((1e-7, None), (1e-4, 1e-3)):
+        shaken = soup + np.random.default_rng(0).uniform(-distance, distance, soup.shape)
+        found = ps.segment(shaken, faces, 7, snapping_tolerance=tolerance)
+        assert ps.evaluate(POINTS, TRIANGLES, found, labels).rand_index_error < .02
+        assert len(ps.tips(shaken, faces, 6, snapping_tolerance=tolerance)) == 6
+        tree = ps.hierarchy(shaken, faces, 7, snapping_tolerance=tolerance)
+        assert tree.minimum_number_of_segments == 1
+    assert np.unique(ps.segment(shaken[:300], faces[:100], 1, snapping_tolerance=0)).size == 100
+
+
+def test_solids_that_touch_and_hollow_ones():
+    points, triangles = TETRAHEDRON
+    n = len(points)
+    mirrored = points * [1, 1, -1]
+    labels = ps.segment(np.concatenate([points, mirrored]), np.concatenate([triangles, triangles[:, ::-1] + n]))
+    assert sorted(labels.tolist()) == [0] * 4 + [1] * 4
+    inner = .2 + .2 * points
+    hollow = np.concatenate([points, inner]), np.concatenate([triangles, triangles[:, ::-1] + n])
+    assert (ps.segment(*hollow) == 0).all()
+
+
+def test_pieces_are_joined():
+    points, triangles = icosahedron()
+    ball, arm = points, .3 * points + [2.2, 0, 0]
+    pieces = [ball, arm, arm * [-1, 1, 1], .2 * points]
+    vertices = np.concatenate(pieces)
+    faces = np.concatenate([triangles + i * len(points) for i in range(len(pieces))])
+    assert np.unique(ps.segment(vertices, faces)).size == 4
+    for join in (True, .2):
+        labels = ps.segment(vertices, faces, 3, join_pieces=join)
+        n = len(triangles)
+        assert [labels[i * n] for i in (0, 3)] == [0, 0]
+        assert set(labels.tolist()) == {0, 1, 2}
+        assert ps.hierarchy(vertices, faces, 3, join_pieces=join).minimum_number_of_segments == 1
+    assert ps.hierarchy(vertices, faces, 3, join_pieces=.01).minimum_number_of_segments > 1
 
 
 def test_components_are_segments():

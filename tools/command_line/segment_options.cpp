@@ -7,6 +7,7 @@
 #include "command_line/Help_formatter.h"
 #include "command_line/check_command_line.h"
 #include "command_line/integer_option.h"
+#include "command_line/number.h"
 #include "reading/read_soup.h"
 #include "report/report.h"
 #include "segmentation/segment.h"
@@ -14,7 +15,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -40,6 +43,17 @@ std::string help(const std::string& text, const std::vector<Choice>& choices)
 // More of them would wait for each other, and the system refuses millions.
 constexpr std::size_t most_threads = 1024;
 
+std::string problem_with_distance(const std::string& text)
+{
+  const std::optional<double> distance = number<double>(text);
+  return distance && *distance >= 0 && std::isfinite(*distance) ? "" : "'" + text + "' is no distance";
+}
+
+std::string problem_with_gap(const std::string& text)
+{
+  return text == "auto" ? "" : problem_with_distance(text);
+}
+
 void add_segmentation_options(CLI::App& app, Command_line& command_line)
 {
   const char* group = "Segmentation";
@@ -57,6 +71,24 @@ void add_segmentation_options(CLI::App& app, Command_line& command_line)
       "them. Not with -k.")
     ->excludes("--segments")
     ->type_name("FILE")
+    ->group(group);
+  app
+    .add_option(
+      "--weld", options.weld_distance,
+      "join corners on borders that are up to this distance apart, and corners to edges. Without it, "
+      "those that differ by rounding are joined; 0: only equal ones.")
+    ->check(CLI::Validator(problem_with_distance, ""))
+    ->type_name("DISTANCE")
+    ->group(group);
+  app
+    .add_flag(
+      "--join-pieces{auto}", command_line.joining,
+      "segment loose pieces as one shape: pieces that touch, overlap or are less than the gap apart. -k "
+      "counts parts and not pieces; hidden pieces go with what covers them. --close writes parts of the "
+      "surface around the pieces. The gap is a distance; without it, a fortieth of the size.")
+    ->check(CLI::Validator(problem_with_gap, ""))
+    ->option_text("[=GAP]")
+    ->excludes("--weld")
     ->group(group);
   app.add_option("--method", options.method, help("how borders are found", methods()))
     ->check(CLI::IsMember(names(methods())).description(""))
@@ -223,6 +255,8 @@ void add_options(CLI::App& app, Command_line& command_line)
   app.callback(
     [&]()
     {
+      command_line.options.are_pieces_joined = !command_line.joining.empty();
+      command_line.options.gap = number<double>(command_line.joining);
       check(app, command_line);
       if (command_line.options.distance.empty() && command_line.options.method == "paper")
         command_line.options.distance = "geodesic";

@@ -23,10 +23,8 @@
 #include <utility>
 #include <vector>
 
-namespace tool
-{
-namespace
-{
+namespace tool {
+namespace {
 
 using namespace PLY;
 
@@ -41,6 +39,23 @@ public:
       m_line(line),
       m_encoding(encoding)
   {}
+
+  // From now on every element has a line of its own, and what is left of the line does not matter.
+  void go_by_lines() { m_separators = " \t\v\f"; }
+
+  // Where an element begins.
+  void begin_element()
+  {
+    if (m_separators != any_separators)
+      m_position = (std::min)(m_bytes.find_first_not_of(any_separators, m_position), m_bytes.size());
+  }
+
+  // Where it ends.
+  void end_element()
+  {
+    if (m_separators != any_separators)
+      m_position = (std::min)(m_bytes.find_first_of("\r\n", m_position), m_bytes.size());
+  }
 
   double take(const Type& type) { return m_encoding == Encoding::text ? take_word() : take_binary(type); }
 
@@ -73,11 +88,12 @@ public:
 private:
   double take_word()
   {
-    constexpr const char* separators = " \t\v\f\r\n";
-    const std::size_t begin = m_bytes.find_first_not_of(separators, m_position);
+    const std::size_t begin = m_bytes.find_first_not_of(m_separators, m_position);
     if (begin == std::string::npos)
       throw Format_error("ends too early");
-    m_position = (std::min)(m_bytes.find_first_of(separators, begin), m_bytes.size());
+    m_position = (std::min)(m_bytes.find_first_of(any_separators, begin), m_bytes.size());
+    if (m_position == begin)
+      fail("has fewer numbers than the header says");
     const std::string_view word(m_bytes.data() + begin, m_position - begin);
     const auto value = number<double>(word);
     if (!value)
@@ -115,7 +131,10 @@ private:
     return value;
   }
 
+  static constexpr std::string_view any_separators = " \t\v\f\r\n";
+
   const std::string& m_bytes;
+  std::string_view m_separators = any_separators; // of the numbers of an element
   std::size_t m_position;
   std::size_t m_begin;
   std::size_t m_line; // that of the header's end
@@ -127,12 +146,16 @@ class PLY_reader
 public:
   explicit PLY_reader(const std::string& bytes) : m_lines(bytes), m_header(m_lines)
   {
-    Numbers numbers(bytes, bytes.size() - m_lines.rest().size(), m_lines.line_number(), m_header.encoding);
+    Numbers numbers(bytes, bytes.size() - m_lines.rest().size(), m_lines.line_number(),
+                    m_header.encoding);
+    if (m_header.encoding == Encoding::text && has_a_line_for_each_element())
+      numbers.go_by_lines();
     for (const Element& element : m_header.elements)
       read(element, numbers);
     if (m_soup.polygons.empty())
-      throw Format_error(has("range_grid") ? "is a range grid, the depths that a scanner saw, without faces"
-                                           : "has no faces");
+      throw Format_error(has("range_grid")
+                           ? "is a range grid, the depths that a scanner saw, without faces"
+                           : "has no faces");
   }
 
   Polygon_soup take_soup() { return std::move(m_soup); }
@@ -144,6 +167,17 @@ private:
                        [&](const Element& element) { return element.name == name; });
   }
 
+  // As the format asks for. Other files are read number by number.
+  bool has_a_line_for_each_element() const
+  {
+    std::size_t elements = 0, lines_with_text = 0;
+    for (const Element& element : m_header.elements)
+      elements += element.properties.empty() ? 0 : element.count;
+    for (Lines lines(m_lines.rest()); lines.next();)
+      lines_with_text += trim(lines.line()).empty() ? 0 : 1;
+    return lines_with_text == elements;
+  }
+
   void read(const Element& element, Numbers& numbers)
   {
     if (element.properties.empty())
@@ -153,8 +187,10 @@ private:
     for (std::size_t i = 0; i < element.count; ++i)
     {
       std::array<double, 3> point = {0, 0, 0};
+      numbers.begin_element();
       for (const Property& property : element.properties)
         read(element, property, numbers, point);
+      numbers.end_element();
       if (element.name == "vertex")
         m_soup.points.emplace_back(point[0], point[1], point[2]);
     }
@@ -169,7 +205,10 @@ private:
         throw Format_error("its vertices have no property " + coordinate);
   }
 
-  void read(const Element& element, const Property& property, Numbers& numbers, std::array<double, 3>& point)
+  void read(const Element& element,
+            const Property& property,
+            Numbers& numbers,
+            std::array<double, 3>& point)
   {
     const bool is_coordinate = property.name.size() == 1 && property.name[0] >= 'x' &&
                                property.name[0] <= 'z';

@@ -11,18 +11,19 @@
 #include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <system_error>
 
-namespace tool
-{
-namespace
-{
+namespace tool {
+namespace {
 
 constexpr const char* gzip_magic = "\x1f\x8b";          // RFC 1952, section 2.3.1
 constexpr const char* byte_order_mark = "\xef\xbb\xbf"; // of UTF-8
+constexpr const char* git_lfs_pointer =
+  "version https://git-lfs."; // what stands for a large file that was not fetched
 
 std::string read_all(std::istream& in)
 {
@@ -118,6 +119,8 @@ std::string read_bytes(const std::string& file_name)
   }
   if (bytes.compare(0, 3, byte_order_mark) == 0)
     bytes.erase(0, 3);
+  if (bytes.compare(0, std::strlen(git_lfs_pointer), git_lfs_pointer) == 0)
+    throw Error(file_name, "is a pointer of Git LFS and not the file itself, which 'git lfs pull' gets");
   return bytes;
 }
 

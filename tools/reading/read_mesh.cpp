@@ -7,19 +7,35 @@
 #include "reading/Format_error.h"
 
 #include <new>
+#include <stdexcept>
 
-namespace tool
-{
+namespace tool {
 
-Input_mesh read_input_mesh(const std::string& file_name)
+Input_mesh read_input_mesh(const std::string& file_name, std::optional<double> tolerance)
 {
   try
   {
-    return make_input_mesh(read_soup(file_name));
+    return make_input_mesh(read_soup(file_name), tolerance);
   }
   catch (const Format_error& error)
   {
     throw Error(file_name, error.what());
+  }
+}
+
+Input_mesh read_joined_pieces(const std::string& file_name, std::optional<double> gap)
+{
+  try
+  {
+    return join_pieces(read_soup(file_name), gap);
+  }
+  catch (const Format_error& error)
+  {
+    throw Error(file_name, error.what());
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw Error(file_name, std::string("--join-pieces: ") + error.what());
   }
 }
 

@@ -6,23 +6,31 @@
 
 #include "reading/Format_error.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/near_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/nested_components.h>
 #include <CGAL/Protrusion_segmentation/polygon_soup_to_manifold_mesh.h>
 
+#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace tool
-{
-namespace
-{
+namespace tool {
+namespace {
 
 namespace internal = CGAL::Protrusion_segmentation::internal;
 
@@ -109,16 +117,37 @@ bool has_points_at_one_place(const std::vector<Point>& points)
   return false;
 }
 
+// Are there corners on borders that the search for repairs may join to others?
+bool may_be_sewn(const Mesh& mesh, std::optional<double> tolerance)
+{
+  std::vector<std::array<std::size_t, 2>> sides;
+  std::set<std::size_t> ends;
+  for (const auto h : mesh.halfedges())
+    if (mesh.is_border(h))
+    {
+      sides.push_back({std::size_t(mesh.source(h)), std::size_t(mesh.target(h))});
+      ends.insert(sides.back().begin(), sides.back().end());
+    }
+  if (sides.empty())
+    return false;
+  std::vector<Point> points(mesh.points().begin(), mesh.points().end());
+  const int exponent = internal::scale_to_unit(points);
+  const double scaled = tolerance ? std::ldexp(*tolerance, -exponent)
+                                  : internal::automatic_tolerance(points);
+  return scaled > 0 && !internal::near_points(points, sides, ends, scaled).empty();
+}
+
 // Builds the mesh of a file that needs no repair, as most do: then the faces as they are make up a surface, and what
 // the search for repairs takes, several times as long as this, is saved. Returns whether it is one.
-bool build_sound_mesh(Input_mesh& input)
+bool build_sound_mesh(Input_mesh& input, std::optional<double> tolerance)
 {
   if (has_points_at_one_place(input.soup.points))
     return false;
   reserve(input.soup, input.mesh);
   std::vector<Vertex> vertices;
   add_used_points(input, vertices);
-  if (!add_faces(input.soup.polygons, vertices, input.mesh) || may_have_double(input.mesh))
+  if (!add_faces(input.soup.polygons, vertices, input.mesh) || may_have_double(input.mesh) ||
+      may_be_sewn(input.mesh, tolerance))
   {
     input.mesh = Mesh();
     input.point_of_vertex.clear();
@@ -131,18 +160,52 @@ bool build_sound_mesh(Input_mesh& input)
   return true;
 }
 
+// Turns over the closed components that are inside out, with the walls of their cavities. Returns their number.
+std::size_t turn_outward(Mesh& mesh)
+{
+  internal::Surface_arrays surface = internal::read_arrays(mesh, CGAL::parameters::default_values());
+  internal::scale_to_unit(surface.points);
+  const std::vector<internal::Surface_arrays::Index> components = internal::components_of_faces(surface);
+  const std::size_t number = 1 + *std::max_element(components.begin(), components.end());
+  const internal::Nested_components nested(surface, components, number);
+  std::vector<Face> faces;
+  std::size_t count = 0;
+  for (std::uint32_t c = 0; c < number; ++c)
+    if (nested.is_inside_out(c))
+    {
+      for (const std::uint32_t face : nested.faces(c))
+        faces.emplace_back(face);
+      ++count;
+    }
+  CGAL::Polygon_mesh_processing::reverse_face_orientations(faces, mesh);
+  return count;
+}
+
+// Then a mesh is no surface, but loose faces.
+bool hardly_any_faces_are_joined(const Input_mesh& input)
+{
+  constexpr std::size_t few_faces_of_component = 2, many_components = 10;
+  return input.repairs.components > many_components &&
+         input.mesh.number_of_faces() < few_faces_of_component * input.repairs.components;
+}
+
 std::string counted(std::size_t count, const std::string& one, const std::string& more)
 {
   return std::to_string(count) + " " + (count == 1 ? one : more);
 }
 
-auto make_mesh(const Polygon_soup& soup, Mesh& mesh)
+auto make_mesh(const Polygon_soup& soup, Mesh& mesh, std::optional<double> tolerance)
 {
   try
   {
-    return CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(soup.points, soup.polygons, mesh);
+    using CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh;
+    return tolerance ? polygon_soup_to_manifold_mesh(soup.points, soup.polygons, mesh,
+                                                     CGAL::parameters::snapping_tolerance(*tolerance))
+                     : polygon_soup_to_manifold_mesh(soup.points, soup.polygons, mesh);
   }
-  catch (const std::invalid_argument&) // whoever read the soup found all else, and named it in the words of the format
+  catch (
+    const std::
+      invalid_argument&) // whoever read the soup found all else, and named it in the words of the format
   {
     throw Format_error("has degenerate faces only: none has three different corners");
   }
@@ -150,22 +213,31 @@ auto make_mesh(const Polygon_soup& soup, Mesh& mesh)
 
 } // namespace
 
-Input_mesh make_input_mesh(Polygon_soup soup)
+Input_mesh make_input_mesh(Polygon_soup soup, std::optional<double> tolerance)
 {
   Input_mesh input;
   input.soup = std::move(soup);
-  if (build_sound_mesh(input))
-    return input;
-  auto result = make_mesh(input.soup, input.mesh);
-  input.label_giver.assign(result.face_of_polygon.begin(), result.face_of_polygon.end());
-  input.face_in_file = std::move(result.polygon_of_face);
-  input.point_of_vertex = std::move(result.point_of_vertex);
-  input.repairs = result.repairs;
+  if (!build_sound_mesh(input, tolerance))
+  {
+    auto result = make_mesh(input.soup, input.mesh, tolerance);
+    input.label_giver.assign(result.face_of_polygon.begin(), result.face_of_polygon.end());
+    input.face_in_file = std::move(result.polygon_of_face);
+    input.point_of_vertex = std::move(result.point_of_vertex);
+    input.repairs = result.repairs;
+  }
+  input.inside_out_components = turn_outward(input.mesh);
   return input;
 }
 
-std::string describe(const Repairs& repairs)
+std::string describe_repairs(const Input_mesh& input)
 {
+  const Repairs& repairs = input.repairs;
+  if (input.has_joined_pieces())
+  {
+    const std::set<std::size_t> pieces(input.pieces.begin(), input.pieces.end());
+    return counted(pieces.size(), "piece is", "pieces are") + " joined to " +
+           counted(repairs.components, "shape", "shapes");
+  }
   std::vector<std::string> parts;
   if (repairs.degenerate_polygons > 0)
     parts.push_back(counted(repairs.degenerate_polygons, "degenerate face has", "degenerate faces have") +
@@ -173,17 +245,30 @@ std::string describe(const Repairs& repairs)
   if (repairs.duplicate_polygons > 0)
     parts.push_back(counted(repairs.duplicate_polygons, "duplicate face has", "duplicate faces have") +
                     " that of the first");
+  if (repairs.joined_corners > 0)
+    parts.push_back(counted(repairs.joined_corners, "corner was", "corners were") +
+                    " joined to one that nearly agrees");
+  if (repairs.split_edges > 0)
+    parts.push_back(counted(repairs.split_edges, "corner was", "corners were") +
+                    " joined to an edge that it lies on");
   if (repairs.non_manifold_edges > 0)
-    parts.push_back(counted(repairs.non_manifold_edges, "edge is", "edges are") + " of more than two faces");
+    parts.push_back(counted(repairs.non_manifold_edges, "edge is", "edges are") +
+                    " of more than two faces");
   if (repairs.unorientable_edges > 0)
     parts.push_back("cut open at " + counted(repairs.unorientable_edges, "edge", "edges") +
                     ", since the surface has no two sides");
   if (repairs.reversed_polygons > 0)
     parts.push_back(counted(repairs.reversed_polygons, "face was", "faces were") + " turned over");
   if (repairs.small_components > 0)
-    parts.push_back(counted(repairs.small_components, "small component has", "small components have") + " the label of a neighbour");
+    parts.push_back(counted(repairs.small_components, "small component has", "small components have") +
+                    " the label of a neighbour");
+  if (input.inside_out_components > 0)
+    parts.push_back(counted(input.inside_out_components, "component is", "components are") +
+                    " inside out, and treated as turned outward");
   if (!parts.empty())
     parts.push_back(counted(repairs.components, "component is", "components are") + " left");
+  if (hardly_any_faces_are_joined(input))
+    parts.push_back("hardly any faces share edges; --weld DISTANCE joins corners that nearly agree");
   std::string line;
   for (const std::string& part : parts)
     line += (line.empty() ? "" : "; ") + part;

@@ -11,6 +11,7 @@
 #include <CGAL/Protrusion_segmentation/Polygon_soup_repairs.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,24 +31,28 @@ struct Input_mesh
   std::vector<std::size_t> face_in_file; // of each face of the mesh
   std::vector<std::size_t> point_of_vertex; // of each vertex of the mesh: its point in the soup
   Repairs repairs;
+  std::size_t inside_out_components = 0; // whose faces are turned over in the mesh
+  // If loose pieces are joined, of each face of the file. The mesh is a surface around them then, and its faces and vertices
+  // have those of the file that are nearest.
+  std::vector<std::size_t> pieces;
+  std::vector<double> areas;
+
+  bool has_joined_pieces() const { return !pieces.empty(); }
 };
 
-// By the package's `polygon_soup_to_manifold_mesh()`. Throws a `Format_error` if all faces are degenerate.
-Input_mesh make_input_mesh(Polygon_soup soup);
+// By the package's `polygon_soup_to_manifold_mesh()`, with its tolerance if none is given. Throws a `Format_error` if all faces
+// are degenerate.
+Input_mesh make_input_mesh(Polygon_soup soup, std::optional<double> tolerance = std::nullopt);
 
-// A value for each face of the file from a value for each face of the mesh.
-template <typename T>
-std::vector<T> spread(const std::vector<T>& of_mesh, const Input_mesh& input)
-{
-  std::vector<T> of_file;
-  of_file.reserve(input.label_giver.size());
-  for (const std::size_t face : input.label_giver)
-    of_file.push_back(of_mesh[face]);
-  return of_file;
-}
+// One surface around pieces that are nearer to each other than the gap, or than that of the package's `join_pieces()`. Throws a
+// `Format_error` if no face has an area, and `std::invalid_argument` if the gap is out of range.
+Input_mesh join_pieces(Polygon_soup soup, std::optional<double> gap);
+
+// The labels of the faces of the file from those of the faces of the mesh.
+std::vector<std::size_t> labels_of_file(const std::vector<std::size_t>& labels_of_mesh, const Input_mesh& input);
 
 // In one line; empty if there was nothing to do.
-std::string describe(const Repairs& repairs);
+std::string describe_repairs(const Input_mesh& input);
 
 } // namespace tool
 

@@ -78,7 +78,7 @@ Json describe_mesh(const Findings& findings)
 {
   const Polygon_soup& soup = findings.mesh.soup;
   std::vector<std::uint32_t> triangles, face_of_triangle, segments;
-  for (const std::size_t segment : spread(findings.segmentation.segment_ids, findings.mesh))
+  for (const std::size_t segment : labels_of_file(findings.segmentation.segment_ids, findings.mesh))
     segments.push_back(index(segment));
   for (std::size_t face = 0; face < soup.polygons.size(); ++face)
     for_each_triangle(soup.polygons[face], [&](auto a, auto b, auto c) {

@@ -34,6 +34,9 @@ struct Segmentation_options
   unsigned int seed = 0;
   std::optional<std::vector<std::size_t>> tips; // faces of the file: only their protrusions are cut off
   bool are_borders_smooth = false;
+  bool are_pieces_joined = false;
+  std::optional<double> gap; // up to which pieces are joined; unset: a share of the size
+  std::optional<double> weld_distance; // up to which corners on borders are one; unset: as the numbers tell
   std::size_t threads = 1; // no matter for the result
 };
 

@@ -9,6 +9,7 @@
 #include "report/report.h"
 #include "segmentation/segment.h"
 #include "segmentation/smooth_borders.h"
+#include "segmentation/touching_components.h"
 #include "writing/Output_files.h"
 #include "writing/borders.h"
 #include "writing/closed_parts.h"
@@ -54,7 +55,7 @@ std::string note_on_number(const Segmentation_options& options, const Segmentati
   else if (found > wanted)
     note << "found " << found << " segments instead of " << wanted << ": each of the mesh's " << found
          << " connected components is at least one";
-  else if (!options.number_of_segments && !options.tips && segmentation.record.protrusions().empty())
+  else if (found == 1 && !options.number_of_segments && !options.tips)
     note << "found no protrusion; -k N asks for a number of segments";
   return note.str();
 }
@@ -142,6 +143,15 @@ std::string note_on_small_components(const Findings& findings)
                               " the label of the nearest segment";
 }
 
+std::string note_on_pieces(const Findings& findings)
+{
+  if (findings.options.are_pieces_joined)
+    return "";
+  const auto [touching, all] = touching_components(findings.mesh.mesh);
+  return touching == 0 ? "" : std::to_string(touching) + " of " + std::to_string(all) +
+                              " components touch each other; --join-pieces makes one shape of them";
+}
+
 void smooth(Findings& findings)
 {
   Segmentation& segmentation = findings.segmentation;
@@ -181,7 +191,8 @@ Findings segment_file(const std::string& input,
   Findings findings;
   findings.input = input;
   findings.options = options;
-  findings.mesh = read_input_mesh(input);
+  findings.mesh = options.are_pieces_joined ? read_joined_pieces(input, options.gap)
+                                            : read_input_mesh(input, options.weld_distance);
   findings.seconds_for_file = seconds_since(start);
   const std::size_t faces = findings.mesh.mesh.number_of_faces();
   const std::size_t wanted = options.number_of_segments.value_or(0);
@@ -195,7 +206,7 @@ Findings segment_file(const std::string& input,
   if (options.are_borders_smooth)
     smooth(findings);
   for (const std::string& note :
-       {describe(findings.mesh.repairs), note_on_small_components(findings), note_on_number(options, findings.segmentation),
+       {describe_repairs(findings.mesh), note_on_small_components(findings), note_on_pieces(findings), note_on_number(options, findings.segmentation),
         note_on_tips(findings), note_on_borders(findings)})
     findings.note = join_notes(findings.note, note);
   return findings;
@@ -215,7 +226,7 @@ void write_findings(Findings& findings, const Output_names& names)
 {
   const Clock::time_point start = Clock::now();
   Segmented_soup segmented = {std::move(findings.mesh.soup), // until the meshes are written: as large as they are
-                              spread(findings.segmentation.segment_ids, findings.mesh), {}};
+                              labels_of_file(findings.segmentation.segment_ids, findings.mesh), {}};
   if (names.caps != Caps::NONE)
     findings.note = join_notes(findings.note, note_on_boundary(findings.mesh.mesh));
   const Segmented_soup cut = findings.smoothed ? soup_of(*findings.smoothed, findings.mesh) : Segmented_soup();
@@ -252,8 +263,9 @@ std::string note_on_missing_segments(const Findings& findings)
 std::string summary(const Findings& findings)
 {
   std::ostringstream line;
-  line << findings.mesh.label_giver.size() << " faces, " << findings.segmentation.number_of_segments
-       << " segments, " << std::fixed << std::setprecision(3) << findings.seconds() << " s";
+  const std::size_t faces = findings.mesh.label_giver.size(), segments = findings.segmentation.number_of_segments;
+  line << faces << (faces == 1 ? " face, " : " faces, ") << segments << (segments == 1 ? " segment, " : " segments, ")
+       << std::fixed << std::setprecision(3) << findings.seconds() << " s";
   return line.str();
 }
 

@@ -152,10 +152,15 @@ Json describe_measures(const Findings& findings)
   const std::vector<std::size_t>& ids = findings.segmentation.segment_ids;
   std::vector<std::size_t> faces(findings.segmentation.number_of_segments, 0);
   std::vector<double> areas(faces.size(), 0);
-  for (const std::size_t segment : spread(ids, input))
+  const std::vector<std::size_t> labels = labels_of_file(ids, input);
+  for (const std::size_t segment : labels)
     ++faces[segment];
-  for (std::size_t i = 0; i < ids.size(); ++i)
-    areas[ids[i]] += area(input.soup, input.soup.polygons[input.face_in_file[i]]);
+  if (input.has_joined_pieces())
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      areas[labels[i]] += area(input.soup, input.soup.polygons[i]);
+  else
+    for (std::size_t i = 0; i < ids.size(); ++i)
+      areas[ids[i]] += area(input.soup, input.soup.polygons[input.face_in_file[i]]);
   const Recorder& record = findings.segmentation.record;
   Json array = Json::array();
   for (std::size_t s = 0; s < faces.size(); ++s)
@@ -201,9 +206,12 @@ Json describe_surface(const Input_mesh& mesh)
     .add("small_components", repairs.small_components)
     .add("degenerate_faces", repairs.degenerate_polygons)
     .add("duplicate_faces", repairs.duplicate_polygons)
+    .add("joined_corners", repairs.joined_corners)
+    .add("split_edges", repairs.split_edges)
     .add("non_manifold_edges", repairs.non_manifold_edges)
     .add("unorientable_edges", repairs.unorientable_edges)
-    .add("reversed_faces", repairs.reversed_polygons);
+    .add("reversed_faces", repairs.reversed_polygons)
+    .add("inside_out_components", mesh.inside_out_components);
   return object.take();
 }
 
@@ -244,7 +252,10 @@ Json describe(const Segmentation_options& options)
     .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
     .add_if(options.distance == "diffusion", "diffusion_time", options.time)
     .add("seed", options.seed)
-    .add("smooth_borders", options.are_borders_smooth);
+    .add("smooth_borders", options.are_borders_smooth)
+    .add("join_pieces", options.are_pieces_joined)
+    .add_if(options.gap.has_value(), "gap", options.gap.value_or(0))
+    .add_if(options.weld_distance.has_value(), "weld_distance", options.weld_distance.value_or(0));
   return object.take();
 }
 

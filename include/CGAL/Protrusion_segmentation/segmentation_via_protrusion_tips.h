@@ -33,6 +33,10 @@ connected components with less than a thousandth of the area of the largest one 
 their own. All other components are segmented as if there were no small ones. A small component gets the segment of the
 nearest face of the others, from centroid to centroid. The function `on_small_components()` of a visitor tells their number.
 
+Nor has the wall of a <em>cavity</em> segments of its own: a closed component that lies inside another one and looks the other
+way. Each of its faces gets the segment of the nearest face of the wall around it, so that segments are hollow bodies. A
+solid inside the cavity is a component again.
+
 For `Minimum_cut_method`, the body is the segment in the middle: without it, every connected piece of the component has
 at most half of its area. For `Histogram_method`, the protrusion is the side of the tip, and the body is the rest.
 

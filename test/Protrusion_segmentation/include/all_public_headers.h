@@ -15,6 +15,7 @@
 #include <CGAL/Protrusion_segmentation/Heat_distance.h>
 #include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/Joined_pieces.h>
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
 #include <CGAL/Protrusion_segmentation/Polygon_soup_correspondence.h>
@@ -26,6 +27,7 @@
 #include <CGAL/Protrusion_segmentation/Segmentation_record.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_stopped.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
+#include <CGAL/Protrusion_segmentation/join_pieces.h>
 #include <CGAL/Protrusion_segmentation/label_confidence.h>
 #include <CGAL/Protrusion_segmentation/polygon_soup_to_manifold_mesh.h>
 #include <CGAL/Protrusion_segmentation/protrusion_hierarchy.h>

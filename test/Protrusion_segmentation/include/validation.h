@@ -6,8 +6,7 @@
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_VALIDATION_H
 
 #include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/small_components.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Surface_without_small_components.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
@@ -43,7 +42,8 @@ inline std::optional<std::string> problem_with_segment_ids(const std::vector<std
   }
   for (std::size_t s = 0; s < number_of_segments; ++s)
     if (!is_used[s])
-      return "segment " + std::to_string(s) + " of " + std::to_string(number_of_segments) + " has no face";
+      return "segment " + std::to_string(s) + " of " + std::to_string(number_of_segments) +
+             " has no face";
   return std::nullopt;
 }
 
@@ -63,23 +63,24 @@ std::vector<std::vector<std::size_t>> face_neighbors(const FaceGraph& mesh)
   return neighbors;
 }
 
-// For each face whether its component is small and has the segment of another one.
+// For each face whether its component has the segments of another one: it is small, or the wall of a cavity.
 template <typename FaceGraph>
-std::vector<bool> faces_on_small_components(const FaceGraph& mesh)
+std::vector<bool> faces_left_out(const FaceGraph& mesh)
 {
-  const internal::Surface_arrays surface = internal::read_arrays(mesh, CGAL::parameters::default_values());
-  const std::vector<std::uint32_t> components = internal::components_of_faces(surface);
-  const std::vector<bool> is_small = internal::small_components(surface, components);
-  std::vector<bool> result;
-  for (const std::uint32_t component : components)
-    result.push_back(is_small[component]);
+  const auto rest = internal::leave_out_small_components(
+    internal::read_arrays(mesh, CGAL::parameters::default_values()));
+  std::vector<bool> result(rest.nearest_faces.empty() ? rest.arrays.number_of_faces()
+                                                      : rest.nearest_faces.size(),
+                           !rest.nearest_faces.empty());
+  for (const std::uint32_t face : rest.faces)
+    result[face] = false;
   return result;
 }
 
-// The segment that is not connected over edges, but for small components.
+// The segment that is not connected over edges, but for faces left out.
 inline std::optional<std::string> problem_with_connectedness(
   const std::vector<std::vector<std::size_t>>& neighbors,
-  const std::vector<bool>& is_on_small_component,
+  const std::vector<bool>& is_left_out,
   const std::vector<std::size_t>& ids,
   std::size_t number_of_segments)
 {
@@ -88,11 +89,12 @@ inline std::optional<std::string> problem_with_connectedness(
   std::vector<bool> is_reached(ids.size(), false);
   for (std::size_t f = 0; f < ids.size(); ++f)
   {
-    if (is_reached[f] || is_on_small_component[f])
+    if (is_reached[f] || is_left_out[f])
       continue;
     if (first_face[ids[f]] != none)
       return "segment " + std::to_string(ids[f]) + " is not connected: faces " +
-             std::to_string(first_face[ids[f]]) + " and " + std::to_string(f) + " are in different pieces";
+             std::to_string(first_face[ids[f]]) + " and " + std::to_string(f) +
+             " are in different pieces";
     first_face[ids[f]] = f;
     is_reached[f] = true;
     std::vector<std::size_t> queue(1, f);
@@ -112,8 +114,8 @@ inline std::optional<std::string> problem_with_connectedness(
 }
 
 // The first problem of a segmentation for which a function returned `number_of_segments`, or nothing: every
-// face has a segment, ids are 0 to n - 1 and all used, every segment is connected but for small components. `segment_ids` is a model
-// of `ReadablePropertyMap` with integers as values. Linear time.
+// face has a segment, ids are 0 to n - 1 and all used, every segment is connected but for small components and walls of
+// cavities. `segment_ids` is a model of `ReadablePropertyMap` with integers as values.
 template <typename FaceGraph, typename SegmentMap>
 std::optional<std::string> problem_with_segmentation(const FaceGraph& mesh,
                                                      const SegmentMap& segment_ids,
@@ -124,7 +126,7 @@ std::optional<std::string> problem_with_segmentation(const FaceGraph& mesh,
     ids.push_back(static_cast<std::size_t>(get(segment_ids, f)));
   if (const auto problem = problem_with_segment_ids(ids, number_of_segments))
     return problem;
-  return problem_with_connectedness(face_neighbors(mesh), faces_on_small_components(mesh), ids, number_of_segments);
+  return problem_with_connectedness(face_neighbors(mesh), faces_left_out(mesh), ids, number_of_segments);
 }
 
 } // namespace validation

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -94,6 +95,25 @@ inline void check_points(Polygon_soup& soup)
                                   " has a coordinate that is not finite");
     p = ORIGIN;
   }
+}
+
+// Nothing if it is to be found.
+inline std::optional<double> checked_tolerance(std::optional<double> tolerance)
+{
+  if (tolerance && !(*tolerance >= 0 && std::isfinite(*tolerance)))
+    throw std::invalid_argument("snapping_tolerance: " + std::to_string(*tolerance) + " is no distance");
+  return tolerance;
+}
+
+template <typename NamedParameters>
+std::optional<double> snapping_tolerance(const NamedParameters& np)
+{
+  if constexpr (parameters::is_default_parameter<NamedParameters,
+                                                 internal_np::snapping_tolerance_t>::value)
+    return std::nullopt;
+  else
+    return checked_tolerance(
+      CGAL::to_double(parameters::get_parameter(np, internal_np::snapping_tolerance)));
 }
 
 // With the checks of both arguments.

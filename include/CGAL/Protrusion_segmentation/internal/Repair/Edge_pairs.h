@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Repair/Parity_sets.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/Radial_order.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/choose_faces.h>
 
 #include <algorithm>
@@ -26,8 +27,9 @@ namespace CGAL::Protrusion_segmentation::internal {
 // corner.
 //
 // Two faces that share an edge with no other face are joined. Sides with the same points come first; then, of the
-// sides without partner, those at the same places; last, at non-manifold edges, those with the smallest angle between the
-// faces. There, duplicate faces, as are walls between two solids, come after others. A pair that contradicts the orientation of the pairs before is not joined.
+// sides without partner, those at the same places; last, at non-manifold edges, those between which a solid lies, or, if
+// the orientations of the faces do not tell, those with the smallest angle between the faces. There, duplicate faces come
+// after others. A pair that contradicts the orientation of the pairs before is not joined.
 class Edge_pairs
 {
 public:
@@ -48,11 +50,11 @@ public:
 
     std::vector<std::size_t> sides(number_of_sides());
     std::iota(sides.begin(), sides.end(), std::size_t(0));
-    const std::vector<std::size_t> left =
-      join_manifold_edges(sides, [&](std::size_t side) { return ascending(start(side), end(side)); });
-    const std::vector<std::size_t> non_manifold =
-      join_manifold_edges(left, [&](std::size_t side) { return places_of_ends(side); });
-    join_smoothest(non_manifold);
+    const std::vector<std::size_t> left = join_manifold_edges(
+      sides, [&](std::size_t side) { return ascending(start(side), end(side)); });
+    const std::vector<std::size_t> non_manifold = join_manifold_edges(left, [&](std::size_t side)
+                                                                      { return places_of_ends(side); });
+    join_non_manifold_edges(non_manifold);
   }
 
   std::size_t number_of_sides() const { return m_face.size(); }
@@ -97,7 +99,8 @@ public:
   std::vector<bool> turned_faces()
   {
     const std::size_t number_of_faces = m_faces.polygons.size();
-    std::vector<std::size_t> size(number_of_faces, 0), turned(number_of_faces, 0); // of each set, at its root
+    std::vector<std::size_t> size(number_of_faces, 0),
+      turned(number_of_faces, 0); // of each set, at its root
     for (std::size_t face = 0; face < number_of_faces; ++face)
     {
       const auto [root, is_turned] = m_orientations.find(face);
@@ -138,7 +141,10 @@ private:
   std::size_t first_side(std::size_t face) const { return m_faces.polygons.first_corner(face); }
   std::size_t start(std::size_t side) const { return m_faces.polygons.corner(side); }
   std::size_t end(std::size_t side) const { return m_faces.polygons.corner(next(side)); }
-  Two places_of_ends(std::size_t side) const { return ascending(m_places[start(side)], m_places[end(side)]); }
+  Two places_of_ends(std::size_t side) const
+  {
+    return ascending(m_places[start(side)], m_places[end(side)]);
+  }
 
   // Returns whether the orientations fit.
   bool join(std::size_t side, std::size_t other)
@@ -155,7 +161,8 @@ private:
   // Joins those of `sides` that share their ends with one other side only. The others are returned, but for those
   // that are alone; those with the same ends follow each other.
   template <typename EndsOf>
-  std::vector<std::size_t> join_manifold_edges(const std::vector<std::size_t>& sides, const EndsOf& ends_of)
+  std::vector<std::size_t> join_manifold_edges(const std::vector<std::size_t>& sides,
+                                               const EndsOf& ends_of)
   {
     std::vector<std::pair<Two, std::size_t>> sorted;
     for (const std::size_t side : sides)
@@ -184,9 +191,13 @@ private:
   }
 
   // `sides` with the same ends follow each other.
-  void join_smoothest(const std::vector<std::size_t>& sides)
+  void join_non_manifold_edges(const std::vector<std::size_t>& sides)
   {
-    const std::vector<Vector_3> normals = sides.empty() ? std::vector<Vector_3>() : unit_normals();
+    if (sides.empty())
+      return;
+    const std::vector<Vector_3> normals = unit_normals();
+    const std::vector<bool> is_inside_out = are_inside_out(
+      m_points, m_faces.polygons, clusters_of_polygons(m_faces.polygons, m_places), m_points.size());
     std::vector<Two> parallel, opposite;
     for (std::size_t begin = 0, last = 0; begin < sides.size(); begin = last)
     {
@@ -199,7 +210,10 @@ private:
                                           sides.begin() + std::ptrdiff_t(last));
       for (const std::size_t side : edge)
         m_is_non_manifold[side] = true;
-      for (const Two& pair : by_smoothness(edge, normals))
+      std::vector<Two> pairs = sides_of_solids(around_edge(edge, normals, is_inside_out));
+      if (pairs.empty())
+        pairs = by_smoothness(edge, normals);
+      for (const Two& pair : pairs)
         (are_parallel(pair[0], pair[1]) ? parallel : opposite).push_back(pair);
     }
     // A solid is not turned inside out for an edge that it shares with another one, unless nothing else fits.
@@ -207,6 +221,28 @@ private:
       for (const auto& [side, other] : *pairs)
         if (m_partner[side] == none() && m_partner[other] == none())
           join(side, other);
+  }
+
+  // None if a face has no normal.
+  std::vector<Face_at_edge> around_edge(const std::vector<std::size_t>& sides,
+                                        const std::vector<Vector_3>& normals,
+                                        const std::vector<bool>& is_inside_out) const
+  {
+    const std::size_t first = m_places[start(sides.front())];
+    const Vector_3 edge = m_points[end(sides.front())] - m_points[start(sides.front())];
+    const Vector_3 u = cross_product(normals[m_face[sides.front()]], edge), v = cross_product(edge, u);
+    std::vector<Face_at_edge> result;
+    for (const std::size_t side : sides)
+    {
+      const Vector_3& normal = normals[m_face[side]];
+      if (normal == NULL_VECTOR)
+        return {};
+      const bool is_along = m_places[start(side)] == first; // the edge, with the face to the left of it
+      const Vector_3 into_face = cross_product(is_along ? normal : -normal, edge);
+      result.push_back({std::atan2(into_face * v, std::sqrt(edge.squared_length()) * (into_face * u)),
+                        is_along != is_inside_out[m_face[side]], side});
+    }
+    return result;
   }
 
   std::vector<Two> by_smoothness(const std::vector<std::size_t>& sides,
@@ -217,8 +253,8 @@ private:
     for (std::size_t i = 0; i < sides.size(); ++i)
       for (std::size_t j = i + 1; j < (std::min)(sides.size(), i + 1 + enough_candidates); ++j)
         if (m_face[sides[i]] != m_face[sides[j]])
-          pairs.emplace_back(duplicates(sides[i]) + duplicates(sides[j]), -smoothness(sides[i], sides[j], normals),
-                             sides[i], sides[j]);
+          pairs.emplace_back(duplicates(sides[i]) + duplicates(sides[j]),
+                             -smoothness(sides[i], sides[j], normals), sides[i], sides[j]);
     std::sort(pairs.begin(), pairs.end());
     std::vector<Two> result;
     for (const auto& [number_of_duplicates, cost, side, other] : pairs)

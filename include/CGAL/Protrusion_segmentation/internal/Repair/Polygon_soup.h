@@ -59,7 +59,8 @@ struct Polygon_soup
 
 // Along the normal of the polygon and as long as its area is large.
 template <typename Corners>
-Polygon_soup::Vector_3 area_vector(const std::vector<Polygon_soup::Point_3>& points, const Corners& corners)
+Polygon_soup::Vector_3 area_vector(const std::vector<Polygon_soup::Point_3>& points,
+                                   const Corners& corners)
 {
   std::vector<Polygon_soup::Point_3> polygon;
   for (const std::size_t corner : corners)
@@ -94,14 +95,15 @@ inline std::vector<std::size_t> places(const std::vector<Polygon_soup::Point_3>&
 }
 
 // Scales the points by a power of two, which changes no digit, so that squares of areas neither overflow nor vanish. Points
-// without a polygon do not count: a far one would make the rest tiny.
-inline void scale_to_unit(Polygon_soup& soup)
+// without a polygon do not count: a far one would make the rest tiny. Returns the exponent of the power that scales back.
+inline int scale_to_unit(Polygon_soup& soup)
 {
   Largest_coordinate largest;
   for (std::size_t corner = 0; corner < soup.polygons.number_of_corners(); ++corner)
     largest.add(soup.points[soup.polygons.corner(corner)]);
   for (Polygon_soup::Point_3& p : soup.points)
     p = scaled_by_power_of_two(p, -largest.exponent());
+  return largest.exponent();
 }
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -20,7 +20,9 @@ namespace CGAL::Protrusion_segmentation::internal {
 class Vertex_fans
 {
 public:
-  Vertex_fans(Edge_pairs& pairs, const std::vector<bool>& is_turned) : m_pairs(pairs), m_is_turned(is_turned)
+  Vertex_fans(Edge_pairs& pairs, const std::vector<bool>& is_turned)
+    : m_pairs(pairs),
+      m_is_turned(is_turned)
   {
     do
       unite_corners();

@@ -14,6 +14,7 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -26,18 +27,46 @@ struct Face_choice
   std::vector<std::size_t> kept;        // polygons, ascending
   std::vector<std::size_t> label_giver; // of each polygon: a position in `kept`
   Polygons polygons;                    // those kept, without corners twice in a row
-  std::vector<bool> has_duplicate;         // for each kept one: is there another one with the same corners?
+  std::vector<std::size_t> alike;  // for each kept one: the first with the same corners, of any surface
+  std::vector<bool> has_duplicate; // for each kept one: is there another one with the same corners?
   std::size_t degenerate_polygons = 0;
   std::size_t duplicate_polygons = 0;
 };
+
+inline std::vector<std::size_t> places_of(const Polygons::Corners& corners,
+                                          const std::vector<std::size_t>& places)
+{
+  std::vector<std::size_t> result;
+  for (const std::size_t corner : corners)
+    result.push_back(places[corner]);
+  return result;
+}
+
+// Of two polygons with the same corners in opposite order one is reversed.
+inline bool is_reversed(const std::vector<std::size_t>& corners)
+{
+  if (corners.empty())
+    return false;
+  const auto smallest = std::min_element(corners.begin(), corners.end());
+  const std::size_t previous = smallest == corners.begin() ? corners.back() : *(smallest - 1);
+  const std::size_t next = smallest + 1 == corners.end() ? corners.front() : *(smallest + 1);
+  return previous < next;
+}
+
+// The number of all surfaces that are not closed, where closed ones have numbers of their own.
+constexpr std::size_t open_surface = 0;
 
 class Face_chooser
 {
 public:
   Face_chooser(const Polygons& polygons,
                const std::vector<std::size_t>& places,
+               const std::vector<std::size_t>& surfaces,
                const std::vector<bool>& is_left_out)
-    : m_polygons(polygons), m_places(places), m_is_left_out(is_left_out)
+    : m_polygons(polygons),
+      m_places(places),
+      m_surfaces(surfaces),
+      m_is_left_out(is_left_out)
   {}
 
   Face_choice choose()
@@ -46,6 +75,9 @@ public:
     m_choice.label_giver.assign(m_polygons.size(), none());
     for (std::size_t i = 0; i < m_polygons.size(); ++i)
       add(i);
+    for (std::size_t i = 0; i < m_polygons.size(); ++i)
+      if (m_first_duplicate[i] != i)
+        m_choice.label_giver[i] = m_choice.label_giver[m_first_duplicate[i]];
     if (m_choice.kept.empty())
       throw std::invalid_argument("polygons: none has three different corners");
     label_by_neighbors();
@@ -69,12 +101,10 @@ private:
   // The same for all polygons with the same corners in the same order or the reverse one.
   static Corners canonical(Corners corners)
   {
-    const auto begin_with_smallest = [](Corners& polygon)
-    { std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end()), polygon.end()); };
-    begin_with_smallest(corners);
-    Corners reverse(corners.rbegin(), corners.rend());
-    begin_with_smallest(reverse);
-    return (std::min)(corners, reverse);
+    if (is_reversed(corners))
+      std::reverse(corners.begin(), corners.end());
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    return corners;
   }
 
   // Corners that follow themselves are named once.
@@ -87,35 +117,40 @@ private:
     return corners;
   }
 
-  Corners places_of(std::size_t polygon) const
-  {
-    Corners result;
-    for (const std::size_t corner : m_polygons[polygon])
-      result.push_back(m_places[corner]);
-    return result;
-  }
-
-  // For each polygon the first one with the same corners. Those that touch themselves are no duplicates.
+  // For each polygon the first one with the same corners and of the same surface; an open surface is part of any other one
+  // there. Polygons that touch themselves are no duplicates.
   void find_duplicates()
   {
-    std::vector<std::pair<Corners, std::size_t>> polygons;
+    std::vector<std::tuple<Corners, std::size_t, std::size_t>> polygons; // corners, surface, number
     for (std::size_t i = 0; i < m_polygons.size(); ++i)
     {
-      const Corners corners = places_of(i);
+      const Corners corners = places_of(m_polygons[i], m_places);
       if (corners.size() >= 3 && number_of_different(corners) == corners.size())
-        polygons.emplace_back(canonical(corners), i);
+        polygons.emplace_back(canonical(corners), m_surfaces[i], i);
     }
     std::sort(polygons.begin(), polygons.end());
     m_has_duplicate.assign(m_polygons.size(), false);
     m_first_duplicate.resize(m_polygons.size());
     std::iota(m_first_duplicate.begin(), m_first_duplicate.end(), std::size_t(0));
-    for (std::size_t i = 1; i < polygons.size(); ++i)
-      if (polygons[i].first == polygons[i - 1].first)
+    m_alike = m_first_duplicate;
+    for (auto begin = polygons.begin(), end = begin; begin != polygons.end(); begin = end)
+    {
+      const auto is_other = [&](const auto& polygon)
+      { return std::get<0>(polygon) != std::get<0>(*begin); };
+      end = std::find_if(begin, polygons.end(), is_other);
+      auto first = std::find_if(begin, end,
+                                [](const auto& polygon) { return std::get<1>(polygon) != open_surface; });
+      if (first == end)
+        first = begin;
+      for (auto i = begin; i != end; ++i)
       {
-        const std::size_t first = m_first_duplicate[polygons[i - 1].second];
-        m_first_duplicate[polygons[i].second] = first;
-        m_has_duplicate[first] = true;
+        if (i > first && std::get<1>(*i) != std::get<1>(*first))
+          first = i;
+        m_first_duplicate[std::get<2>(*i)] = std::get<2>(*first);
+        m_alike[std::get<2>(*i)] = std::get<2>(*begin);
+        m_has_duplicate[std::get<2>(*i)] = end - begin > 1;
       }
+    }
   }
 
   void add(std::size_t polygon)
@@ -126,15 +161,13 @@ private:
     if (number_of_different(corners) < 3)
       ++m_choice.degenerate_polygons;
     else if (first != polygon)
-    {
       ++m_choice.duplicate_polygons;
-      m_choice.label_giver[polygon] = m_choice.label_giver[first];
-    }
     else if (!m_is_left_out[polygon])
     {
       m_choice.label_giver[polygon] = m_choice.kept.size();
       m_choice.kept.push_back(polygon);
       m_choice.polygons.add(corners);
+      m_choice.alike.push_back(m_alike[polygon]);
       m_choice.has_duplicate.push_back(m_has_duplicate[polygon]);
     }
   }
@@ -151,7 +184,7 @@ private:
   {
     for (std::size_t polygon = 0; polygon < m_polygons.size(); ++polygon)
       if (m_choice.label_giver[polygon] == none())
-        for (const std::size_t place : places_of(polygon))
+        for (const std::size_t place : places_of(m_polygons[polygon], m_places))
           m_faces_at[place];
     for (std::size_t i = 0; i < m_choice.kept.size() && !m_faces_at.empty(); ++i)
       for (const std::size_t corner : m_choice.polygons[i])
@@ -163,7 +196,7 @@ private:
   // The kept one that shares the most places, of several the first.
   std::size_t neighbor_of(std::size_t polygon) const
   {
-    const Corners all = places_of(polygon);
+    const Corners all = places_of(m_polygons[polygon], m_places);
     std::map<std::size_t, std::size_t> shared;
     for (const std::size_t place : std::set<std::size_t>(all.begin(), all.end()))
       for (const std::size_t kept : m_faces_at.at(place))
@@ -185,22 +218,25 @@ private:
 
   const Polygons& m_polygons;
   const std::vector<std::size_t>& m_places;
+  const std::vector<std::size_t>& m_surfaces;
   const std::vector<bool>& m_is_left_out;
   std::vector<std::size_t> m_first_duplicate;
+  std::vector<std::size_t> m_alike;
   std::vector<bool> m_has_duplicate;
   // at the places of polygons that want a label
   std::unordered_map<std::size_t, std::vector<std::size_t>> m_faces_at;
   Face_choice m_choice;
 };
 
-// Of polygons with the same corners the first one is kept and labels the others. A polygon that has fewer than three
-// corners is labelled by a neighbour: one that shares an edge with it, or a corner, or else the one before it. So is a
-// polygon with `is_left_out`. Throws if no polygon can be kept.
+// Of polygons with the same corners and of the same surface the first one is kept and labels the others. A polygon that has
+// fewer than three corners is labelled by a neighbour: one that shares an edge with it, or a corner, or else the one before
+// it. So is a polygon with `is_left_out`. Throws if no polygon can be kept.
 inline Face_choice choose_faces(const Polygons& polygons,
                                 const std::vector<std::size_t>& places,
+                                const std::vector<std::size_t>& surfaces,
                                 const std::vector<bool>& is_left_out)
 {
-  return Face_chooser(polygons, places, is_left_out).choose();
+  return Face_chooser(polygons, places, surfaces, is_left_out).choose();
 }
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -7,10 +7,11 @@
 
 #include <CGAL/Protrusion_segmentation/Polygon_soup_repairs.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Edge_pairs.h>
-#include <CGAL/Protrusion_segmentation/internal/Repair/Parity_sets.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/Joined_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
-#include <CGAL/Protrusion_segmentation/internal/Repair/Vertex_fans.h>
-#include <CGAL/Protrusion_segmentation/internal/Repair/choose_faces.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/Radial_order.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/closed_surfaces.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/sew_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/small_components.h>
 
 #include <algorithm>
@@ -18,37 +19,20 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
-
-// The chosen faces and how they are joined.
-struct Joined_faces
-{
-  Joined_faces(const Polygon_soup& soup,
-               const std::vector<std::size_t>& places,
-               const std::vector<bool>& is_left_out)
-    : choice(choose_faces(soup.polygons, places, is_left_out)),
-      pairs(soup.points, choice, places),
-      is_turned(pairs.turned_faces()),
-      fans(pairs, is_turned)
-  {}
-  Joined_faces(const Joined_faces&) = delete; // its members refer to each other
-  Joined_faces& operator=(const Joined_faces&) = delete;
-
-  Face_choice choice;
-  Edge_pairs pairs;
-  std::vector<bool> is_turned;
-  Vertex_fans fans;
-};
 
 // Finds the components that get the labels of their neighbours and no segments of their own: small ones, and walls
 // between two solids, all edges of which are shared with two or more other faces. They must touch a component that remains.
 class Left_out_components
 {
 public:
-  Left_out_components(const Polygon_soup& soup, const std::vector<std::size_t>& places, const Joined_faces& joined)
+  Left_out_components(const Polygon_soup& soup,
+                      const std::vector<std::size_t>& places,
+                      const Joined_faces& joined)
     : m_soup(soup),
       m_places(places),
       m_joined(joined),
@@ -109,18 +93,13 @@ private:
   // Those that touch nothing but others that are left out, or nothing at all.
   void keep_isolated_ones()
   {
-    Parity_sets clusters(m_places.size());
-    for (std::size_t face = 0; face < m_component.size(); ++face)
-      for (const std::size_t corner : m_joined.choice.polygons[face])
-        clusters.unite(m_places[m_joined.choice.polygons[face].front()], m_places[corner], false);
-    const auto cluster_of = [&](std::size_t face)
-    { return clusters.find(m_places[m_joined.choice.polygons[face].front()]).first; };
+    const std::vector<std::size_t> cluster = clusters_of_polygons(m_joined.choice.polygons, m_places);
     std::vector<bool> has_more(m_places.size(), false);
     for (std::size_t face = 0; face < m_component.size(); ++face)
       if (!m_is_left_out[m_component[face]])
-        has_more[cluster_of(face)] = true;
+        has_more[cluster[face]] = true;
     for (std::size_t face = 0; face < m_component.size(); ++face)
-      if (!has_more[cluster_of(face)])
+      if (!has_more[cluster[face]])
         m_is_left_out[m_component[face]] = false;
   }
 
@@ -128,7 +107,7 @@ private:
   const std::vector<std::size_t>& m_places;
   const Joined_faces& m_joined;
   std::vector<std::size_t> m_component; // of each chosen face
-  std::vector<bool> m_is_left_out;         // of each component
+  std::vector<bool> m_is_left_out;      // of each component
 };
 
 // The faces of a surface that any mesh type can hold, and how they belong to the polygons of a soup.
@@ -178,24 +157,89 @@ inline std::size_t number_of_components(const Edge_pairs& pairs)
   return count;
 }
 
-// Coordinates are finite and corners are points. Throws if no polygon has three different corners.
-inline Manifold_surface manifold_surface(Polygon_soup soup)
+// The points that are corners.
+inline std::vector<Polygon_soup::Point_3> corners_of(const Polygon_soup& soup)
+{
+  std::vector<Polygon_soup::Point_3> result;
+  for (std::size_t c = 0; c < soup.polygons.number_of_corners(); ++c)
+    result.push_back(soup.points[soup.polygons.corner(c)]);
+  return result;
+}
+
+// With all polygons that may be walls between closed surfaces, and no others that are duplicates.
+inline std::unique_ptr<Joined_faces> join_with_walls(const Polygon_soup& soup,
+                                                     const std::vector<std::size_t>& places)
+{
+  const std::vector<bool> none_left_out(soup.polygons.size(), false);
+  const std::vector<std::size_t> open_surfaces(soup.polygons.size(), open_surface);
+  auto result = std::make_unique<Joined_faces>(soup, places, open_surfaces, none_left_out);
+  if (result->choice.duplicate_polygons > 0)
+    result = std::make_unique<Joined_faces>(soup, places, surfaces_by_points(soup, places),
+                                            none_left_out);
+  return result;
+}
+
+// The same without duplicates; `surfaces` becomes that of each polygon.
+inline std::unique_ptr<Joined_faces> without_duplicates(const Polygon_soup& soup,
+                                                        const std::vector<std::size_t>& places,
+                                                        std::unique_ptr<Joined_faces> joined,
+                                                        std::vector<std::size_t>& surfaces)
+{
+  const std::size_t number = soup.polygons.size();
+  const std::vector<bool>& has_duplicate = joined->choice.has_duplicate;
+  surfaces.assign(number, open_surface);
+  if (std::find(has_duplicate.begin(), has_duplicate.end(), true) == has_duplicate.end())
+    return joined;
+  surfaces = closed_surfaces(soup, places, *joined);
+  return std::make_unique<Joined_faces>(soup, places, surfaces, std::vector<bool>(number, false));
+}
+
+// Joins what the polygons of a soup are, and sews borders up to the tolerance.
+inline std::unique_ptr<Joined_faces> join_and_sew(Polygon_soup& soup,
+                                                  double tolerance,
+                                                  std::vector<std::size_t>& places,
+                                                  std::vector<std::size_t>& surfaces,
+                                                  Polygon_soup_repairs& repairs)
+{
+  auto joined = join_with_walls(soup, places);
+  // What was joined to something else before may be a border now.
+  while (const std::size_t number = tolerance > 0
+                                      ? Border_sewer(soup, places, *joined, tolerance).join_corners()
+                                      : 0)
+  {
+    repairs.joined_corners += number;
+    joined = join_with_walls(soup, places);
+  }
+  joined = without_duplicates(soup, places, std::move(joined), surfaces);
+  if (tolerance > 0)
+    repairs.split_edges = Border_sewer(soup, places, *joined, tolerance).split_sides();
+  if (repairs.split_edges > 0)
+    joined = without_duplicates(soup, places, join_with_walls(soup, places), surfaces);
+  return joined;
+}
+
+// Coordinates are finite and corners are points. Throws if no polygon has three different corners. Corners that are no farther
+// from each other than the tolerance are one, at borders; an automatic one if none is given.
+inline Manifold_surface manifold_surface(Polygon_soup soup,
+                                         std::optional<double> tolerance = std::nullopt)
 {
   Manifold_surface surface;
-  const std::vector<std::size_t> place_of = places(soup.points);
-  scale_to_unit(soup);
-  std::vector<bool> is_left_out(soup.polygons.size(), false);
-  auto joined = std::make_unique<Joined_faces>(soup, place_of, is_left_out);
   Polygon_soup_repairs& repairs = surface.repairs;
+  std::vector<std::size_t> place_of = places(soup.points), surfaces;
+  const int exponent = scale_to_unit(soup);
+  auto joined = join_and_sew(
+    soup, tolerance ? std::ldexp(*tolerance, -exponent) : automatic_tolerance(corners_of(soup)), place_of,
+    surfaces, repairs);
+  std::vector<bool> is_left_out(soup.polygons.size(), false);
   repairs.degenerate_polygons = joined->choice.degenerate_polygons;
   repairs.duplicate_polygons = joined->choice.duplicate_polygons;
   repairs.non_manifold_edges = joined->pairs.number_of_non_manifold_edges();
   repairs.small_components = Left_out_components(soup, place_of, *joined).leave_out(is_left_out);
   if (repairs.small_components > 0) // then the rest is joined anew
-    joined = std::make_unique<Joined_faces>(soup, place_of, is_left_out);
+    joined = std::make_unique<Joined_faces>(soup, place_of, surfaces, is_left_out);
   repairs.unorientable_edges = joined->pairs.number_of_unorientable_edges();
-  repairs.reversed_polygons =
-    std::size_t(std::count(joined->is_turned.begin(), joined->is_turned.end(), true));
+  repairs.reversed_polygons = std::size_t(
+    std::count(joined->is_turned.begin(), joined->is_turned.end(), true));
   repairs.components = number_of_components(joined->pairs);
   number_vertices(*joined, surface);
   surface.polygon_of_face = std::move(joined->choice.kept);

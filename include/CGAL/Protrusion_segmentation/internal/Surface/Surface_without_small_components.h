@@ -14,7 +14,8 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// A surface without its small components. If there are none, it is the whole surface, and both lists are empty.
+// A surface without its small components and the walls of its cavities. If there are none, it is the whole surface, and both
+// lists are empty.
 struct Surface_without_small_components
 {
   using Index = Indexed_surface::Index;
@@ -22,13 +23,14 @@ struct Surface_without_small_components
   Surface_arrays arrays;
   // for every face of this surface its number in the whole surface
   std::vector<Index> faces;
-  // for every face of the whole surface one of this: itself, or the one nearest to its small component
+  // for every face of the whole surface one of this: itself, the one nearest to its small component, or the nearest one of
+  // the outer wall around its cavity
   std::vector<Index> nearest_faces;
   std::size_t number_of_small_components = 0;
   bool is_connected = false;
 };
 
-// Coordinates may be of any size. Takes linear time, and O(n log n) for n faces if there are small components.
+// Coordinates may be of any size. Takes linear time, and O(n log n) for n faces if there are several components.
 Surface_without_small_components leave_out_small_components(Surface_arrays surface);
 
 } // namespace CGAL::Protrusion_segmentation::internal

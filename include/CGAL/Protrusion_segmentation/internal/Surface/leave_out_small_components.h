@@ -8,6 +8,8 @@
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_without_small_components.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/nested_components.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/small_components.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
@@ -18,6 +20,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -59,30 +62,46 @@ private:
   Search::Tree m_tree;
 };
 
-CGAL_PROTRUSION_SEGMENTATION_INLINE Surface_without_small_components
-leave_out_small_components(Surface_arrays surface)
+// For each component: that whose cavity it is the wall of, or itself. Neither of both is small.
+inline std::vector<Indexed_surface::Index> walls_of_cavities(const Nested_components& nested,
+                                                             const std::vector<bool>& is_small)
+{
+  std::vector<Indexed_surface::Index> result = nested.walls();
+  for (Indexed_surface::Index c = 0; c < result.size(); ++c)
+    if (is_small[result[c]] || is_small[c])
+      result[c] = c;
+  return result;
+}
+
+// Sets, for the faces of the walls of cavities, the nearest of the faces around.
+inline void find_nearest_faces_of_cavities(const Nested_components& nested,
+                                           const std::vector<Indexed_surface::Index>& walls,
+                                           Scaled_faces& measure,
+                                           std::vector<Indexed_surface::Index>& nearest_faces)
 {
   using Index = Indexed_surface::Index;
-  Surface_without_small_components result;
-  const std::vector<Index> component = components_of_faces(surface);
-  const std::vector<bool> is_small = small_components(surface, component);
-  result.number_of_small_components = std::size_t(std::count(is_small.begin(), is_small.end(), true));
-  result.is_connected = is_small.size() == result.number_of_small_components + 1;
-  if (result.number_of_small_components == 0)
+  std::map<Index, std::vector<Index>> cavities; // in each component that has some
+  for (Index c = 0; c < walls.size(); ++c)
+    if (walls[c] != c)
+      cavities[walls[c]].push_back(c);
+  for (const auto& [around, walls_in_it] : cavities)
   {
-    result.arrays = std::move(surface);
-    return result;
+    const Solid solid = nested.solid(around);
+    for (const Index wall : walls_in_it)
+      for (const Index f : nested.faces(wall))
+        nearest_faces[f] = nearest_faces[solid.nearest_face(measure(f).centroid)];
   }
-  result.nearest_faces.resize(component.size());
-  for (Index f = 0; f < component.size(); ++f)
-    if (!is_small[component[f]])
-    {
-      result.nearest_faces[f] = static_cast<Index>(result.faces.size());
-      result.faces.push_back(f);
-    }
+}
 
-  Scaled_faces measure(surface);
-  const Nearest_face nearest(result.faces, measure);
+// Sets, for the faces of small components, the face that is nearest to the component.
+inline void find_nearest_faces_of_small_components(const std::vector<Indexed_surface::Index>& component,
+                                                   const std::vector<bool>& is_small,
+                                                   const std::vector<Indexed_surface::Index>& faces,
+                                                   Scaled_faces& measure,
+                                                   std::vector<Indexed_surface::Index>& nearest_faces)
+{
+  using Index = Indexed_surface::Index;
+  const Nearest_face nearest(faces, measure);
   const Nearest_face::Found none((std::numeric_limits<double>::infinity)(),
                                  Indexed_surface::Point_3(0, 0, 0), Index(0));
   std::vector<Nearest_face::Found> found(is_small.size(), none); // for every small component
@@ -91,8 +110,54 @@ leave_out_small_components(Surface_arrays surface)
       found[component[f]] = (std::min)(found[component[f]], nearest(measure(f).centroid));
   for (Index f = 0; f < component.size(); ++f)
     if (is_small[component[f]])
-      result.nearest_faces[f] = std::get<Index>(found[component[f]]);
-  result.arrays = Face_selector<Surface_arrays>(surface)(result.faces);
+      nearest_faces[f] = std::get<Index>(found[component[f]]);
+}
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE Surface_without_small_components
+leave_out_small_components(Surface_arrays surface)
+{
+  using Index = Indexed_surface::Index;
+  Surface_without_small_components result;
+  const std::vector<Index> component = components_of_faces(surface);
+  const std::vector<bool> is_small = small_components(surface, component);
+  result.is_connected = is_small.size() == 1;
+  if (is_small.size() < 2)
+  {
+    result.arrays = std::move(surface);
+    return result;
+  }
+  const int exponent = scale_to_unit(surface.points);
+  const auto scale_back = [exponent](Surface_arrays arrays)
+  {
+    for (Indexed_surface::Point_3& p : arrays.points)
+      p = scaled_by_power_of_two(p, exponent);
+    return arrays;
+  };
+  const Nested_components nested(surface, component, is_small.size());
+  const std::vector<Index> walls = walls_of_cavities(nested, is_small);
+  std::size_t number_left = 0;
+  for (Index c = 0; c < is_small.size(); ++c)
+    number_left += !is_small[c] && walls[c] == c ? 1 : 0;
+  result.number_of_small_components = std::size_t(std::count(is_small.begin(), is_small.end(), true));
+  result.is_connected = number_left == 1;
+  if (number_left == is_small.size())
+  {
+    result.arrays = scale_back(std::move(surface));
+    return result;
+  }
+  result.nearest_faces.resize(component.size());
+  for (Index f = 0; f < component.size(); ++f)
+    if (const Index c = component[f]; !is_small[c] && walls[c] == c)
+    {
+      result.nearest_faces[f] = static_cast<Index>(result.faces.size());
+      result.faces.push_back(f);
+    }
+  Scaled_faces measure(surface);
+  find_nearest_faces_of_cavities(nested, walls, measure, result.nearest_faces);
+  if (result.number_of_small_components > 0)
+    find_nearest_faces_of_small_components(component, is_small, result.faces, measure,
+                                           result.nearest_faces);
+  result.arrays = scale_back(Face_selector<Surface_arrays>(surface)(result.faces));
   return result;
 }
 

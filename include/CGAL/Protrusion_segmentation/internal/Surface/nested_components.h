@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Closed components that lie inside each other: walls of cavities, and solids that are turned inside out.
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_NESTED_COMPONENTS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_NESTED_COMPONENTS_H
+
+#include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
+
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Box_intersection_d/Box_with_info_d.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Protrusion_segmentation::internal {
+
+// The triangles of a closed component, to be asked which points are inside, and which face is nearest to a point.
+class Solid
+{
+public:
+  using Index = Indexed_surface::Index;
+
+  // `faces` in the order in which the first of several nearest ones is chosen
+  Solid(const Surface_arrays& surface, const std::vector<Index>& faces)
+  {
+    for (const Index f : faces)
+      for (Index c = surface.first_corner(f) + 1; c + 1 < surface.first_corner(f + 1); ++c)
+      {
+        const auto point = [&](Index corner) { return exact(surface.point(surface.vertex(corner))); };
+        const Kernel::Point_3 p = point(surface.first_corner(f)), q = point(c), r = point(c + 1);
+        if (collinear(p, q, r))
+          continue;
+        // Triangles that share no vertices are enough, and any polygon gives some.
+        m_mesh.add_face(m_mesh.add_vertex(p), m_mesh.add_vertex(q), m_mesh.add_vertex(r));
+        m_faces.push_back(f);
+      }
+    m_tree.insert(m_mesh.faces_begin(), m_mesh.faces_end(), m_mesh);
+    m_tree.build();
+  }
+
+  Bounded_side side(const Indexed_surface::Point_3& point) const { return Side(m_tree)(exact(point)); }
+
+  Index nearest_face(const Indexed_surface::Point_3& point) const
+  {
+    return m_faces[m_tree.closest_point_and_primitive(exact(point)).second];
+  }
+
+private:
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Mesh = Surface_mesh<Kernel::Point_3>;
+  using Side = Side_of_triangle_mesh<Mesh, Kernel>;
+
+  static Kernel::Point_3 exact(const Indexed_surface::Point_3& p)
+  {
+    return Kernel::Point_3(p.x(), p.y(), p.z());
+  }
+
+  Mesh m_mesh;
+  std::vector<Index> m_faces; // of the triangles
+  Side::AABB_tree m_tree;
+};
+
+// How the components of a surface lie inside each other.
+class Nested_components
+{
+public:
+  using Index = Indexed_surface::Index;
+
+  // Coordinates are at most 1. `component` is that of every face.
+  Nested_components(const Surface_arrays& surface,
+                    const std::vector<Index>& component,
+                    std::size_t number)
+    : m_surface(surface),
+      m_faces(component, number),
+      m_orientation(number, 0),
+      m_volume(number, 0),
+      m_around(number),
+      m_wall(number)
+  {
+    for (Index c = 0; c < number; ++c)
+    {
+      m_wall[c] = c;
+      measure(c);
+    }
+    find_components_around();
+    find_walls();
+  }
+
+  boost::iterator_range<const Index*> faces(Index c) const { return m_faces[c]; }
+
+  // For each component: that whose wall it belongs to, if it is the wall of a cavity, or itself.
+  const std::vector<Index>& walls() const { return m_wall; }
+
+  // Is a closed component turned inside out? A wall of a cavity is if the component around it is.
+  bool is_inside_out(Index c) const
+  {
+    return (orientation_in_whole(c) < 0 && m_wall[c] == c) != (m_orientation[outermost(c)] < 0);
+  }
+
+  // In an order that does not depend on that of the faces.
+  Solid solid(Index c) const
+  {
+    std::vector<std::pair<Indexed_surface::Point_3, Index>> centroids;
+    for (const Index f : m_faces[c])
+      centroids.emplace_back(measure_polygon(Corners_of_face<Surface_arrays>{m_surface, f}).centroid, f);
+    std::sort(centroids.begin(), centroids.end());
+    std::vector<Index> faces;
+    for (const auto& [centroid, face] : centroids)
+      faces.push_back(face);
+    return Solid(m_surface, faces);
+  }
+
+private:
+  using Box = Box_intersection_d::Box_with_info_d<double, 3, Index>;
+
+  // Its orientation is 1 if it is closed with its faces outward, -1 if inward, 0 if it is open or has no volume.
+  void measure(Index c)
+  {
+    constexpr double least_share = 1e-6; // of what is summed; rounding gives less
+    const Indexed_surface::Point_3 origin = m_surface.point(
+      m_surface.vertex(m_surface.first_corner(m_faces[c].front())));
+    double volume = 0, sum = 0;
+    for (const Index f : m_faces[c])
+    {
+      const Corners_of_face<Surface_arrays> corners = {m_surface, f};
+      const double v = (corners[0] - origin) * polygon_area_vector(corners) / 3;
+      volume += v;
+      sum += std::abs(v);
+      for (Index corner = m_surface.first_corner(f); corner < m_surface.first_corner(f + 1); ++corner)
+        if (m_surface.neighbor(corner) == Indexed_surface::no_face())
+          return;
+    }
+    if (std::abs(volume) <= least_share * sum)
+      return;
+    m_orientation[c] = volume > 0 ? 1 : -1;
+    m_volume[c] = std::abs(volume);
+  }
+
+  // Without components that look inward beside others that look outward there is nothing to be found.
+  void find_components_around()
+  {
+    const auto begin = m_orientation.begin(), end = m_orientation.end();
+    if (std::find(begin, end, 1) == end || std::find(begin, end, -1) == end)
+      return;
+    std::vector<Box> boxes;
+    for (Index c = 0; c < m_orientation.size(); ++c)
+      if (m_orientation[c] != 0)
+        boxes.emplace_back(box_of(c), c);
+    box_self_intersection_d(boxes.begin(), boxes.end(),
+                            [&](const Box& a, const Box& b)
+                            {
+                              const bool is_a_larger = m_volume[a.info()] > m_volume[b.info()];
+                              const auto& [large, small] = is_a_larger ? std::tie(a, b) : std::tie(b, a);
+                              const Bbox_3 box = large.bbox();
+                              if (box + small.bbox() == box)
+                                m_around[large.info()].push_back(small.info());
+                            });
+    std::vector<std::vector<Index>> inside = std::exchange(
+      m_around, std::vector<std::vector<Index>>(m_around.size()));
+    for (Index c = 0; c < inside.size(); ++c)
+    {
+      if (inside[c].empty())
+        continue;
+      const Solid solid = this->solid(c);
+      for (const Index other : inside[c])
+        if (is_inside(other, solid))
+          m_around[other].push_back(c);
+    }
+  }
+
+  Bbox_3 box_of(Index c) const
+  {
+    Bbox_3 box;
+    for (const Index f : m_faces[c])
+      for (Index corner = m_surface.first_corner(f); corner < m_surface.first_corner(f + 1); ++corner)
+        box += m_surface.point(m_surface.vertex(corner)).bbox();
+    return box;
+  }
+
+  // Asks a number of its corners. They may touch the solid, but not all of them.
+  bool is_inside(Index c, const Solid& solid) const
+  {
+    constexpr std::size_t enough_corners = 256;
+    const std::size_t step = 1 + m_faces[c].size() / enough_corners;
+    bool is_any_inside = false;
+    for (std::size_t i = 0; i < m_faces[c].size(); i += step)
+    {
+      const Index f = *(m_faces[c].begin() + std::ptrdiff_t(i));
+      const Bounded_side side = solid.side(m_surface.point(m_surface.vertex(m_surface.first_corner(f))));
+      if (side == ON_UNBOUNDED_SIDE)
+        return false;
+      is_any_inside = is_any_inside || side == ON_BOUNDED_SIDE;
+    }
+    return is_any_inside;
+  }
+
+  Index outermost(Index c) const
+  {
+    const std::vector<Index>& around = m_around[c];
+    return around.empty()
+             ? c
+             : *std::max_element(around.begin(), around.end(),
+                                 [&](Index a, Index b) { return m_volume[a] < m_volume[b]; });
+  }
+
+  // Outward or inward, if the outermost component looks outward.
+  int orientation_in_whole(Index c) const { return m_orientation[c] * m_orientation[outermost(c)]; }
+
+  // What looks inward is the wall of a cavity if there is material around it.
+  void find_walls()
+  {
+    for (Index c = 0; c < m_around.size(); ++c)
+    {
+      if (orientation_in_whole(c) >= 0)
+        continue;
+      int depth = 0; // of solids around it, less the cavities
+      Index solid = c;
+      for (const Index other : m_around[c])
+      {
+        depth += orientation_in_whole(other);
+        if (orientation_in_whole(other) > 0 && (solid == c || m_volume[other] < m_volume[solid]))
+          solid = other;
+      }
+      if (depth > 0)
+        m_wall[c] = solid;
+    }
+  }
+
+  const Surface_arrays& m_surface;
+  Index_groups m_faces; // of each component
+  std::vector<int> m_orientation;
+  std::vector<double> m_volume;
+  std::vector<std::vector<Index>> m_around; // for each component: those that it lies inside of
+  std::vector<Index> m_wall;
+};
+
+} // namespace CGAL::Protrusion_segmentation::internal
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_NESTED_COMPONENTS_H
