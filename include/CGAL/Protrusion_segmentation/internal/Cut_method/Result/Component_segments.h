@@ -12,12 +12,14 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Border_arcs.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Face_borders.h>
-#include <CGAL/Protrusion_segmentation/internal/Segments/Borders_of_cuts.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -35,7 +37,11 @@ public:
                      const Cut_set& set,
                      const Cut_options& options,
                      Execution& execution)
-    : m_graphs(graphs), m_memo(memo), m_set(set), m_is_parallel(execution.is_parallel()), m_labels(graphs.node_of_face)
+    : m_graphs(graphs),
+      m_memo(memo),
+      m_set(set),
+      m_is_parallel(execution.is_parallel()),
+      m_labels(graphs.node_of_face)
   {
     number_leaves();
     for (Index& label : m_labels) // still the node
@@ -55,10 +61,12 @@ public:
   // the cut whose border each has to its parent; none of the body
   const Cut_set::Made_cut* cut(std::size_t segment) const
   {
-    return segment == 0 ? nullptr : &m_set.cuts[m_cuts[segment]];
+    return m_cuts[segment] == no_cut ? nullptr : &m_set.cuts[m_cuts[segment]];
   }
 
 private:
+  static constexpr std::size_t no_cut = (std::numeric_limits<std::size_t>::max)(); // that of the body
+
   // The segments that are left are the leaves of the tree of cuts.
   void number_leaves()
   {
@@ -87,7 +95,8 @@ private:
       std::vector<Index> labels(m_graphs.groups->number_of_nodes());
       for (Index f = 0; f < m_labels.size(); ++f)
         labels[group[f]] = m_labels[f];
-      labels = Face_borders(*m_graphs.groups, std::move(labels), number_of_segments())(band_of_clusters, execution);
+      labels = Face_borders(*m_graphs.groups, std::move(labels), number_of_segments())(band_of_clusters,
+                                                                                       execution);
       for (Index f = 0; f < m_labels.size(); ++f)
         m_labels[f] = labels[group[f]];
     }
@@ -101,31 +110,67 @@ private:
     std::vector<double> areas(number_of_segments(), 0);
     for (Index f = 0; f < m_labels.size(); ++f)
       areas[m_labels[f]] += m_graphs.fine.area[f];
-    const Borders_of_cuts::Lengths lengths = Border_arcs(m_graphs.fine, m_labels, m_is_parallel).lengths();
-    const Segment_tree tree(areas, Borders_of_cuts(lengths, sides_of_cuts())());
-    std::vector<std::pair<std::size_t, Index>> order; // by the border to the parent, the body first
-    for (Index leaf = 0; leaf < areas.size(); ++leaf)
-      order.emplace_back(leaf == tree.body() ? 0 : tree.border_to_parent(leaf) + 1, leaf);
-    std::sort(order.begin(), order.end());
+    const Segment_tree::Lengths lengths = Border_arcs(m_graphs.fine, m_labels, m_is_parallel).lengths();
+    const Segment_tree tree(areas, lengths);
+    const std::vector<std::size_t> cuts = cuts_of_borders(tree, lengths);
+    std::vector<Index> order(areas.size()); // by the cut, that of the body first
+    std::iota(order.begin(), order.end(), Index(0));
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return cuts[a] + 1 < cuts[b] + 1; });
     std::vector<Index> number(areas.size());
     for (Index s = 0; s < order.size(); ++s)
-      number[order[s].second] = s;
-    for (const auto& [border, leaf] : order)
+      number[order[s]] = s;
+    for (Index leaf : order)
     {
       m_parents.push_back(number[tree.parent(leaf)]);
       m_areas_beyond.push_back(tree.area_beyond(leaf));
-      m_cuts.push_back(border == 0 ? 0 : border - 1);
+      m_cuts.push_back(cuts[leaf]);
     }
     for (Index& label : m_labels)
       label = number[label];
   }
 
-  std::vector<Sides_of_cut> sides_of_cuts() const
+  // Of every leaf the cut of its border to its parent: the one that separated the two. A cut that separated several gets the
+  // longest of these borders. The others get the cuts that are left, if possible one within the segment of which they came.
+  std::vector<std::size_t> cuts_of_borders(const Segment_tree& tree,
+                                           const Segment_tree::Lengths& lengths) const
   {
-    std::vector<Sides_of_cut> result;
-    for (const Cut_set::Made_cut& cut : m_set.cuts)
-      result.push_back({m_leaves.at(cut.inner), m_leaves.at(cut.outer)});
+    const auto length = [&](Index leaf) { return lengths.at(std::minmax(leaf, tree.parent(leaf))); };
+    std::vector<std::size_t> result(number_of_segments(), no_cut);
+    std::vector<bool> is_left(m_set.cuts.size(), true);
+    for (const int nearness : {2, 1, 0})
+      for (std::size_t c = m_set.cuts.size(); c-- > 0;)
+      {
+        if (!is_left[c])
+          continue;
+        const std::vector<int> side = sides_of(m_set.cuts[c]);
+        std::optional<Index> longest;
+        for (Index leaf = 0; leaf < result.size(); ++leaf)
+          if (leaf != tree.body() && result[leaf] == no_cut &&
+              nearness_of(side, leaf, tree.parent(leaf)) >= nearness &&
+              (!longest || length(leaf) > length(*longest)))
+            longest = leaf;
+        if (!longest)
+          continue;
+        result[*longest] = c;
+        is_left[c] = false;
+      }
     return result;
+  }
+
+  // Of every leaf: 1 if it is on the inner side of a cut, -1 on the outer, 0 on none.
+  std::vector<int> sides_of(const Cut_set::Made_cut& cut) const
+  {
+    std::vector<int> result(number_of_segments(), 0);
+    for (Index leaf : m_leaves.at(cut.inner))
+      result[leaf] = 1;
+    for (Index leaf : m_leaves.at(cut.outer))
+      result[leaf] = -1;
+    return result;
+  }
+
+  static int nearness_of(const std::vector<int>& side, Index leaf, Index parent)
+  {
+    return side[leaf] * side[parent] < 0 ? 2 : side[leaf] != 0 ? 1 : 0;
   }
 
   const Graphs_of_surface& m_graphs;
@@ -137,7 +182,7 @@ private:
   std::map<Index, std::vector<Index>> m_leaves; // in every segment of the memo that was one
   std::vector<Index> m_parents;                 // of every segment
   std::vector<double> m_areas_beyond;           // of every segment
-  std::vector<std::size_t> m_cuts;              // of every segment but the body
+  std::vector<std::size_t> m_cuts;              // of every segment
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal
