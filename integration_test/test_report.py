@@ -26,6 +26,7 @@ try:
     from selenium import webdriver
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
     from selenium.webdriver.chrome.service import Service
 except ImportError:
     sys.exit(SKIPPED)
@@ -111,6 +112,11 @@ def expect(condition, message):
         raise AssertionError(message)
 
 
+def expect_no_errors(browser):
+    errors = [entry["message"] for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
+    expect(not errors, f"errors in the page: {errors}")
+
+
 def check_click(page, record):
     """A click on the tip of a protrusion that can be seen shows the protrusion."""
     expect("No segment is selected" in page.text("details"), "a segment is selected at the beginning")
@@ -160,10 +166,15 @@ def check_merging(page, record):
     expect(not page.browser.find_element(By.ID, "undo").is_enabled(), "there is more to undo than was done")
 
 
-def check_renaming(page):
-    page.button_of(1).click()
+def rename(page, segment, name):
+    page.button_of(segment).click()
     field = page.browser.find_element(By.ID, "name")
-    field.send_keys("left <arm>\n")
+    field.send_keys(Keys.CONTROL, "a")
+    field.send_keys(name + "\n")
+
+
+def check_renaming(page):
+    rename(page, 1, "left <arm>")
     expect("left <arm>" in page.text("tree"), "the tree does not show the name")
     expect("Segment left <arm>" in page.text("details"), "the name is not that of the segment")
 
@@ -178,6 +189,8 @@ def check_colors(page, record):
         expect(abs(page.run(f"return report.model.confidence({segment})") - value) < 1e-12, "another confidence")
     colors = [page.run(f"return colorOf(report.model, {s})") for s in sorted(confidence, key=confidence.get)]
     expect(colors[0][0] - colors[0][2] >= colors[-1][0] - colors[-1][2], "the least sure is not the reddest")
+    if all(p["probability"] is not None for p in record["protrusions"]):  # all arms are clear
+        expect(all(color[2] > color[0] for color in colors), "a sure segment is red")
     expect("check first" in page.text("tools"), "the scale is not shown")
 
 
@@ -198,6 +211,7 @@ def check_tips(page, record, work, tool, mesh):
     page.browser.save_screenshot(str(work / "picked.png"))
     page.click_button("from_tips")
     expect(page.run("return report.model.shownSegments()") == [0] + sorted(picked), "other segments than those of the tips")
+    rename(page, picked[0], "an <arm>")
     saved = page.save("save_tips", "octopus.tips.json")
     content = json.loads(saved.read_text(encoding="utf-8"))
     expect(content["tips"] == tips, "other tips were saved")
@@ -209,6 +223,24 @@ def check_tips(page, record, work, tool, mesh):
     expect(len(of_page) == record["faces"] and set(of_page) == {"0", "1", "2"}, "the saved segments are not 0, 1 and 2")
     for tip, segment in zip(tips, picked):
         expect(of_page[tip] == str(1 + sorted(picked).index(segment)), "a tip is not in its segment")
+
+
+def check_labels(browser, work, tool, mesh):
+    """What was saved is a segmentation with names, whose page says so."""
+    saved = work / "saved"
+    subprocess.run([tool, mesh, "--labels", saved / "octopus.seg", "--names", saved / "octopus.tips.json", "--quiet",
+                    "-o", work / "parts/%s.obj", "--close", "--report", work / "labels.html"], check=True)
+    expect(len(list((work / "parts").iterdir())) == 3 and (work / "parts/an__arm_.obj").exists(), "no part has the name")
+    page = Page(browser, work / "labels.html")
+    expect("an <arm>" in page.text("tree"), "the page does not show the name")
+    expect("octopus.seg" in page.text("summary"), "the page does not say whose segments these are")
+    expect(not page.browser.find_element(By.ID, "colors").is_displayed(), "there is confidence without values")
+    page.button_of(page.run("return report.model.data.protrusions[0].segment")).click()
+    expect("area beyond the border" in page.text("details"), "no details")
+    page.browser.save_screenshot(str(work / "labels.png"))
+    page.set_level(2)
+    expect(page.run("return report.model.number") == 2, "the slider does not join segments")
+    expect_no_errors(browser)
 
 
 def check_turning(page):
@@ -243,8 +275,7 @@ def check(page, record, work, tool, mesh):
     check_turning(page)
     check_speed(page, record)
     page.browser.save_screenshot(str(work / "end.png"))
-    errors = [entry["message"] for entry in page.browser.get_log("browser") if entry["level"] == "SEVERE"]
-    expect(not errors, f"errors in the page: {errors}")
+    expect_no_errors(page.browser)
 
 
 def main():
@@ -276,6 +307,7 @@ def main():
         page = Page(browser, html)
         print(f"loaded after {time.monotonic() - begin:.1f} s, the start of the browser included")
         check(page, json.loads(found.read_text(encoding="utf-8")), arguments.work, arguments.segment_by_protrusions, mesh)
+        check_labels(browser, arguments.work, arguments.segment_by_protrusions, mesh)
     finally:
         browser.quit()
 

@@ -58,6 +58,22 @@ void add_segmentation_options(CLI::App& app, Command_line& command_line)
     ->excludes("--segments")
     ->type_name("FILE")
     ->group(group);
+  app
+    .add_option(
+      "--labels", options.labels,
+      "take the segments from a file instead: .seg, .npy, or face data \"segment\" or \"label\" of a "
+      "PLY or VTP file, as of INPUT itself")
+    ->excludes("--segments")
+    ->excludes("--tips")
+    ->type_name("FILE")
+    ->group(group);
+  app
+    .add_option(
+      "--names", command_line.names,
+      "names of segments for groups, nodes and %s: {\"names\": [{\"face\": 12, \"name\": \"tail\"}]}, "
+      "as the page of --report saves them. Those in the file of --tips need no --names.")
+    ->type_name("FILE")
+    ->group(group);
   app.add_option("--method", options.method, help("how borders are found", methods()))
     ->check(CLI::IsMember(names(methods())).description(""))
     ->type_name("NAME")
@@ -113,8 +129,9 @@ void add_options_of_distances(CLI::App& app, Segmentation_options& options)
 void add_options_of_meshes(CLI::App& app, Command_line& command_line, const char* group)
 {
   std::string outputs =
-    "write the segments; may be repeated. With %d or %03d in the name, a mesh is written for each "
-    "segment, in a folder that is made if needed. - is the standard output, in SEG. The extension "
+    "write the segments; may be repeated. With %d, %03d or %s in the name, a mesh is written for each "
+    "segment, by its number or its name, in a folder that is made if needed. - is the standard output, "
+    "in SEG. The extension "
     "tells the format:";
   for (const std::string& format : output_formats())
     outputs += "\n" + format;
@@ -123,11 +140,11 @@ void add_options_of_meshes(CLI::App& app, Command_line& command_line, const char
     ->type_name("FILE")
     ->group(group);
   app
-    .add_flag(
-      "--close{flat}", command_line.caps,
-      "close the meshes of -o with %d where they were cut off. If the input is closed, so are they.\n"
-      "flat: caps that two meshes share; volumes add up to that of the input (the default)\n"
-      "faired: rounded caps, separate for each mesh; slow for long rims")
+    .add_flag("--close{flat}", command_line.caps,
+              "close the meshes of -o with %d or %s where they were cut off. If the input is closed, so "
+              "are they.\n"
+              "flat: caps that two meshes share; volumes add up to that of the input (the default)\n"
+              "faired: rounded caps, separate for each mesh; slow for long rims")
     ->check(CLI::IsMember({"flat", "faired"}).description(""))
     ->option_text("[=CAPS]")
     ->group(group);
@@ -198,6 +215,8 @@ void add_help(CLI::App& app)
      {"segment_by_protrusions horse.obj -k 7 --report horse.html",
       "seven segments, a page for the browser"},
      {"segment_by_protrusions horse.obj -o 'parts/%d.obj' --close", "a closed mesh of each segment"},
+     {"segment_by_protrusions horse.obj --labels a.seg --names a.json -o 'parts/%s.obj' --close",
+      "closed meshes of segments that were edited and named in the page"},
      {"segment_by_protrusions meshes --output-folder segments --jobs 2", "all meshes in a folder"}});
 }
 

@@ -28,6 +28,7 @@ struct Command_line
   std::string report;  // empty: none
   std::string borders; // empty: none
   std::string tips;    // empty: none
+  std::string names;   // empty: none
   std::string caps;    // empty: none; else "flat" or "faired"
   bool is_quiet = false;
 

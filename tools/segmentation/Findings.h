@@ -33,6 +33,7 @@ struct Segmentation_options
   double time = default_diffusion_time();
   unsigned int seed = 0;
   std::optional<std::vector<std::size_t>> tips; // faces of the file: only their protrusions are cut off
+  std::string labels; // a file with the segments; empty: they are to be found
   bool are_borders_smooth = false;
   std::size_t threads = 1; // no matter for the result
 };
@@ -54,6 +55,7 @@ struct Findings
   double seconds_for_file = 0; // to read it and to make a surface of it
   Segmentation segmentation;
   std::optional<Smoothed_mesh> smoothed; // of the mesh, if that was asked for
+  std::vector<std::string> names; // of the segments, empty for those without; or none at all
   std::string note; // empty, or why there are not as many segments as were asked for
 
   std::vector<std::string> formats; // of the segments of a collection, which are known by their names alone

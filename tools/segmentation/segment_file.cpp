@@ -5,8 +5,10 @@
 #include "segmentation/segment_file.h"
 
 #include "command_line/Error.h"
+#include "reading/read_labels.h"
 #include "reading/read_mesh.h"
 #include "report/report.h"
+#include "segmentation/given_segmentation.h"
 #include "segmentation/segment.h"
 #include "segmentation/smooth_borders.h"
 #include "writing/Output_files.h"
@@ -54,7 +56,8 @@ std::string note_on_number(const Segmentation_options& options, const Segmentati
   else if (found > wanted)
     note << "found " << found << " segments instead of " << wanted << ": each of the mesh's " << found
          << " connected components is at least one";
-  else if (!options.number_of_segments && !options.tips && segmentation.record.protrusions().empty())
+  else if (!options.number_of_segments && !options.tips && options.labels.empty() &&
+           segmentation.record.protrusions().empty())
     note << "found no protrusion; -k N asks for a number of segments";
   return note.str();
 }
@@ -89,15 +92,17 @@ std::vector<Segmented_soup> make_closed_parts(const Findings& findings, Caps cap
   for (Polygon_soup& part : find_closed_parts(findings, caps))
   {
     const std::size_t number_of_faces = part.polygons.size();
-    parts.push_back({std::move(part), std::vector<std::size_t>(number_of_faces, parts.size()), {}});
+    parts.push_back({std::move(part), std::vector<std::size_t>(number_of_faces, parts.size()), {}, findings.names});
   }
   return parts;
 }
 
 // The mesh with smooth borders, in faces that know which of the file they are a piece of.
-Segmented_soup soup_of(const Smoothed_mesh& smoothed, const Input_mesh& input)
+Segmented_soup soup_of(const Findings& findings)
 {
+  const Smoothed_mesh& smoothed = *findings.smoothed;
   Segmented_soup result;
+  result.names = findings.names;
   for (const auto v : vertices(smoothed.mesh))
     result.soup.points.push_back(smoothed.mesh.point(v));
   for (const Face face : faces(smoothed.mesh))
@@ -105,7 +110,7 @@ Segmented_soup soup_of(const Smoothed_mesh& smoothed, const Input_mesh& input)
     result.soup.polygons.emplace_back();
     for (const auto v : vertices_around_face(smoothed.mesh.halfedge(face), smoothed.mesh))
       result.soup.polygons.back().push_back(std::size_t(v));
-    result.old_faces.push_back(input.face_in_file[smoothed.old_faces[face]]);
+    result.old_faces.push_back(findings.mesh.face_in_file[smoothed.old_faces[face]]);
   }
   result.segments = smoothed.segment_ids;
   return result;
@@ -191,7 +196,9 @@ Findings segment_file(const std::string& input,
   warn_of_time(findings, warn);
   Segmentation_options options_on_mesh = options;
   options_on_mesh.tips = tips_on_mesh(findings);
-  findings.segmentation = segment(findings.mesh.mesh, options_on_mesh, progress);
+  findings.segmentation = options.labels.empty()
+                            ? segment(findings.mesh.mesh, options_on_mesh, progress)
+                            : given_segmentation(findings.mesh.mesh, read_labels(options.labels, findings.mesh));
   if (options.are_borders_smooth)
     smooth(findings);
   for (const std::string& note :
@@ -215,10 +222,10 @@ void write_findings(Findings& findings, const Output_names& names)
 {
   const Clock::time_point start = Clock::now();
   Segmented_soup segmented = {std::move(findings.mesh.soup), // until the meshes are written: as large as they are
-                              spread(findings.segmentation.segment_ids, findings.mesh), {}};
+                              spread(findings.segmentation.segment_ids, findings.mesh), {}, findings.names};
   if (names.caps != Caps::NONE)
     findings.note = join_notes(findings.note, note_on_boundary(findings.mesh.mesh));
-  const Segmented_soup cut = findings.smoothed ? soup_of(*findings.smoothed, findings.mesh) : Segmented_soup();
+  const Segmented_soup cut = findings.smoothed ? soup_of(findings) : Segmented_soup();
   Output_files files;
   for (const std::string& name : names.segments)
   {

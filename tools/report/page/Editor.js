@@ -12,7 +12,7 @@ class Editor
   {
     this.model = model;
     this.onChange = onChange;
-    this.names = new Map(); // of segments
+    this.names = new Map(model.data.measures.filter(m => m.name !== null).map(m => [m.segment, m.name])); // of segments
     this.tips = []; // faces
     this.history = [];
   }
@@ -73,18 +73,17 @@ class Editor
 
   nameOf(segment)
   {
-    return this.names.get(segment) ?? (segment < this.model.minimum ? `${segment}: body` : `${segment}`);
+    return this.names.get(segment) ?? (this.model.isBody(segment) ? `${segment}: body` : `${segment}`);
   }
 
   // As `segment_by_protrusions --tips` reads it: the picked tips or, without any, those of the shown protrusions.
   tipsText()
   {
-    const numbers = this.model.savedNumbers();
     const shown = this.model.shownSegments();
     const tips = this.tips.length > 0 ? this.tips
                                       : shown.map(s => this.model.tip(s)).filter(face => face !== undefined);
     const named = shown.filter(s => this.names.has(s));
-    const names = named.map(s => ({segment: numbers.get(s), name: this.names.get(s)}));
+    const names = named.map(s => ({face: this.model.tip(s) ?? this.model.farthestFace(s), name: this.names.get(s)}));
     return JSON.stringify({input: this.model.data.input, tips, names}, null, 2) + "\n";
   }
 }
