@@ -123,7 +123,7 @@ def check_click(page, record):
     seen = 0
     for protrusion in record["protrusions"]:
         x, y = map(round, page.run(f"return report.view.positionOf({protrusion['tip']})"))
-        if page.run(f"return report.view.segmentAt({x}, {y})") != protrusion["segment"]:
+        if page.run(f"return report.model.segmentOfFace(report.view.faceAt({x}, {y}))") != protrusion["segment"]:
             continue  # hidden by another part
         page.click_at(x, y)
         details = page.text("details")
@@ -194,15 +194,61 @@ def check_colors(page, record):
     expect("check first" in page.text("tools"), "the scale is not shown")
 
 
+def check_further_tip(page):
+    """Where there is no smaller segment, the page says so, keeps the tip and saves it, too."""
+    face = page.run("return report.model.segments.indexOf(0)")
+    page.run(f"report.editor.pick({face})")
+    page.click_button("from_tips")
+    expect(f"ends at face {face}." in page.text("message"), "the page does not say that there is no segment")
+    expect(page.run("return JSON.parse(report.editor.tipsText()).tips")[-1] == face, "the further tip is not saved")
+    page.browser.save_screenshot(str(page.downloads.parent / "no_segment.png"))
+    page.run(f"report.editor.pick({face})")
+    expect(page.text("message") == "", "the message stays")
+
+
+def check_clicks_without_effect(page):
+    """They are answered with a word."""
+    x, y = page.run("""
+        const canvas = report.view.canvas.getBoundingClientRect();
+        for (let x = canvas.left + 5; x < canvas.right; x += 10)
+          for (let y = canvas.top + 5; y < canvas.bottom; y += 10)
+            if (report.view.faceAt(x, y) < 0)
+              return [x, y];""")
+    page.click_at(round(x), round(y))
+    expect("no face" in page.text("message"), "a click beside the mesh is not answered")
+    page.browser.find_element(By.ID, "canvas").send_keys(Keys.DELETE)
+    expect("No segment" in page.text("message"), "merging nothing is not answered")
+    page.button_of(0).click()
+    page.browser.find_element(By.ID, "canvas").send_keys(Keys.DELETE)
+    expect("no parent" in page.text("message"), "merging a body is not answered")
+    page.run("report.select(-1)")
+
+
+def check_first_view(page):
+    """All vertices are on the canvas."""
+    outside = page.run("""
+        const view = report.view; view.scene.updateMatrixWorld();
+        let largest = 0;
+        for (let v = 0; v < report.model.positions.length; v += 3)
+        {
+          const point = view.turned.localToWorld(new THREE.Vector3().fromArray(report.model.positions, v)).project(view.camera);
+          largest = Math.max(largest, Math.abs(point.x), Math.abs(point.y));
+        }
+        return largest;""")
+    expect(0.85 < outside < 1, f"the mesh fills {outside} of the canvas")
+
+
 def check_tips(page, record, work, tool, mesh):
-    """Two tips are picked by clicks; the tool makes of the saved file what it makes of these faces."""
+    """Of a page that shows the body alone, two tips are picked by clicks: their protrusions are shown. The tool makes of the saved
+    file what it makes of these faces."""
     expect(all(page.run(f"return report.model.segmentOfFace(report.model.tip({p['segment']}))") == p["segment"]
                for p in record["protrusions"]), "the tip of a segment is not on it")
+    page.set_level(record["segments"] - len(record["protrusions"]))
     page.browser.find_element(By.ID, "picking").click()
     picked = []
     for protrusion in record["protrusions"]:
         x, y = map(round, page.run(f"return report.view.positionOf({protrusion['tip']})"))
-        if len(picked) < 2 and page.run(f"return report.view.segmentAt({x}, {y})") == protrusion["segment"]:
+        if len(picked) < 2 and page.run(f"return report.model.segments[report.view.faceAt({x}, {y})]") == protrusion["segment"]:
             page.click_at(x, y)
             picked.append(protrusion["segment"])
     expect(len(picked) == 2, "there are no two tips to click at")
@@ -211,10 +257,13 @@ def check_tips(page, record, work, tool, mesh):
     page.browser.save_screenshot(str(work / "picked.png"))
     page.click_button("from_tips")
     expect(page.run("return report.model.shownSegments()") == [0] + sorted(picked), "other segments than those of the tips")
+    expect(page.run("return report.editor.tips") == [], "tips of shown segments are still picked")
+    check_further_tip(page)
     rename(page, picked[0], "an <arm>")
+    tips = [page.run(f"return report.model.tip({segment})") for segment in picked]
     saved = page.save("save_tips", "octopus.tips.json")
     content = json.loads(saved.read_text(encoding="utf-8"))
-    expect(content["tips"] == tips, "other tips were saved")
+    expect(sorted(content["tips"]) == sorted(tips), "other tips were saved")
     labels = work / "from_tips.seg"
     subprocess.run([tool, mesh, "--tips", saved, "-o", labels, "--quiet"], check=True)
     of_tool = labels.read_text(encoding="utf-8").split()
@@ -251,7 +300,7 @@ def check_turning(page):
 
 
 def check_speed(page, record):
-    times = {"click": page.seconds("report.select(report.view.segmentAt(400, 400))"),
+    times = {"click": page.seconds("report.click(400, 400)"),
              "slider": page.seconds(f"report.setLevel({record['segments'] - 1})"),
              "frame": min(page.seconds(FRAME) for _ in range(3))}
     print(f"{record['faces']} faces:", ", ".join(f"{name} {1000 * t:.0f} ms" for name, t in times.items()))
@@ -264,6 +313,8 @@ def check(page, record, work, tool, mesh):
     expect("three.js" in page.run("return document.getElementById('licence').textContent"), "no licence")
     expect(page.pixels() > 10000, "nothing is drawn")
     page.browser.save_screenshot(str(work / "begin.png"))
+    check_first_view(page)
+    check_clicks_without_effect(page)
     check_click(page, record)
     page.browser.save_screenshot(str(work / "clicked.png"))
     check_slider(page, record)

@@ -28,6 +28,7 @@
 #include <numeric>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -132,12 +133,18 @@ std::optional<std::vector<std::size_t>> tips_on_mesh(const Findings& findings)
   return tips;
 }
 
+// A tip has a protrusion if it lies in one that no tip before it has.
 std::string note_on_tips(const Findings& findings)
 {
-  if (!findings.options.tips)
-    return "";
-  const std::size_t found = findings.segmentation.record.protrusions().size(), given = findings.options.tips->size();
-  return found < given ? "found protrusions for " + std::to_string(found) + " of " + std::to_string(given) + " tips" : "";
+  std::set<std::size_t> free;
+  for (const Protrusion& protrusion : findings.segmentation.record.protrusions())
+    free.insert(protrusion.segment);
+  std::string faces;
+  std::size_t number = 0;
+  for (const std::size_t tip : findings.options.tips.value_or(std::vector<std::size_t>()))
+    if (free.erase(findings.segmentation.segment_ids[findings.mesh.label_giver[tip]]) == 0)
+      faces += (number++ == 0 ? " " : ", ") + std::to_string(tip);
+  return number == 0 ? "" : "found no border for the " + std::string(number == 1 ? "tip at face" : "tips at faces") + faces;
 }
 
 std::string note_on_small_components(const Findings& findings)

@@ -59,12 +59,15 @@ class Model
     }
   }
 
-  // All cuts are taken back but those of the smallest protrusions around these faces.
-  setTips(faces)
+  // Shows the smallest protrusions around these faces, besides those that are shown.
+  addTips(faces)
   {
-    const kept = new Set(faces.map(face => this.segments[face]));
-    this.setJoined(new Set([...this.protrusions.keys()].filter(s => !kept.has(s))));
+    const added = new Set(faces.map(face => this.segments[face]));
+    this.setJoined(new Set([...this.joined].filter(s => !added.has(s))));
   }
+
+  // Is there a smaller segment around a face than the one that is shown?
+  hasSmallerSegment(face) { return this.joined.has(this.segments[face]); }
 
   ancestor(segment)
   {

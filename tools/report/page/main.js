@@ -46,9 +46,13 @@ class Report
     document.getElementById("undo").disabled = !this.editor.canUndo();
     document.getElementById("merge").disabled = !this.editor.canMerge(this.selected);
     document.getElementById("from_tips").disabled = this.editor.tips.length === 0;
+    this.say("");
     this.panel.show(this.selected);
     this.view.show(this.selected);
   }
+
+  // One line on the mesh, until something changes.
+  say(text) { document.getElementById("message").textContent = text; }
 
   setLevel(numberOfSegments) { this.editor.setLevel(numberOfSegments); }
 
@@ -63,8 +67,8 @@ class Report
   connectButtons()
   {
     const name = this.model.data.input.split(/[\\/]/).pop().replace(/\.[^.]*$/, "") || "mesh";
-    const actions = {undo: () => this.editor.undo(), merge: () => this.editor.merge(this.selected),
-                     from_tips: () => this.editor.segmentFromTips(),
+    const actions = {undo: () => this.editor.undo(), merge: () => this.merge(),
+                     from_tips: () => this.segmentFromTips(),
                      save_seg: () => saveFile(`${name}.seg`, this.model.segText()),
                      save_tips: () => saveFile(`${name}.tips.json`, this.editor.tipsText())};
     for (const [id, action] of Object.entries(actions))
@@ -81,6 +85,24 @@ class Report
       this.editor.pick(face);
     else
       this.select(face < 0 ? -1 : this.model.segmentOfFace(face));
+    if (face < 0)
+      this.say("There is no face at this place.");
+  }
+
+  merge()
+  {
+    if (this.editor.canMerge(this.selected))
+      this.editor.merge(this.selected);
+    else
+      this.say(this.selected < 0 ? "No segment is selected." : "A body has no parent to be merged into.");
+  }
+
+  segmentFromTips()
+  {
+    this.editor.segmentFromTips();
+    if (this.editor.tips.length > 0)
+      this.say(`No further segment of this page ends at face ${this.editor.tips.join(", ")}. Save tips and names: ` +
+               "segment_by_protrusions --tips looks for one.");
   }
 
   connectPointer(canvas)
@@ -119,11 +141,11 @@ class Report
     const actions = {ArrowLeft: () => this.view.turn(-0.1, 0), ArrowRight: () => this.view.turn(0.1, 0),
                      ArrowUp: () => this.view.turn(0, -0.1), ArrowDown: () => this.view.turn(0, 0.1),
                      "+": () => this.view.zoom(0.9), "-": () => this.view.zoom(1 / 0.9),
-                     Escape: () => this.select(-1), Delete: () => this.editor.merge(this.selected)};
+                     Escape: () => this.select(-1), Delete: () => this.merge()};
     canvas.onkeydown = event =>
     {
       if (event.key === "z" && event.ctrlKey)
-        this.editor.undo();
+        this.editor.canUndo() ? this.editor.undo() : this.say("There is nothing to undo.");
       else if (event.key in actions)
         actions[event.key]();
       else
