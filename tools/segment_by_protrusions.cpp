@@ -20,9 +20,13 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <iostream>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace {
@@ -105,6 +109,15 @@ void name_segments(tool::Findings& findings, const std::string& file)
   }
 }
 
+// To read it takes so long that it is told at once.
+bool is_large(const std::string& file)
+{
+  constexpr std::uintmax_t large = 30000000; // bytes
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return !error && size > large;
+}
+
 void segment_one(const tool::Command_line& command_line)
 {
   tool::Output_names names = {command_line.outputs, command_line.report, command_line.json,
@@ -115,17 +128,24 @@ void segment_one(const tool::Command_line& command_line)
   if (!command_line.tips.empty())
     options.tips = tool::read_tips(command_line.tips);
   tool::check_can_be_written(names);
-  tool::Progress_bar bar(!command_line.is_quiet && tool::is_standard_error_a_terminal());
-  tool::Findings findings = tool::segment_file(
-    command_line.inputs.front(), options,
-    [&](double share, const std::string& stage, std::size_t protrusions)
-    { bar.show(share, std::to_string(protrusions) + " protrusions  " + stage); },
-    [&](const std::string& warning) { tell(command_line, warning); });
+  tool::Progress_bar bar(!command_line.is_quiet && tool::is_standard_error_a_terminal(),
+                         is_large(command_line.inputs.front()) ? std::chrono::seconds(0)
+                                                               : std::chrono::seconds(2));
+  const auto show = [&](double share, const std::string& stage, std::size_t protrusions)
+  {
+    bar.show(share, (protrusions == 0   ? ""
+                     : protrusions == 1 ? "1 protrusion  "
+                                        : std::to_string(protrusions) + " protrusions  ") +
+                      stage);
+  };
+  tool::Findings findings = tool::segment_file(command_line.inputs.front(), options, show,
+                                               [&](const std::string& warning)
+                                               { tell(command_line, warning); });
   if (const std::string& file = command_line.names.empty() ? command_line.tips : command_line.names;
       !file.empty())
     name_segments(findings, file);
+  tool::write_findings(findings, names, show);
   bar.clear();
-  tool::write_findings(findings, names);
   if (!command_line.is_quiet)
     print_summary(command_line, findings);
   else if (const std::string note = tool::note_on_missing_segments(findings); !note.empty())

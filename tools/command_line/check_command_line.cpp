@@ -68,10 +68,14 @@ void check_collection(const CLI::App& app, const Command_line& command_line)
     return refuse({"--format", "--jobs", "--again"}, " has no meaning without --output-folder");
   if (command_line.output_folder.empty())
     throw std::invalid_argument("several meshes or a folder of meshes need --output-folder");
-  refuse({"--output", "--json", "--report", "--borders", "--tips", "--labels", "--names"},
+  refuse({"--report"}, " has no meaning with --output-folder; --format html writes a page for each mesh");
+  refuse({"--output", "--json", "--borders", "--tips", "--labels", "--names"},
          " has no meaning with --output-folder");
   for (const std::string& format : command_line.formats)
-    check_output_format(format);
+    if (format != "html")
+      check_output_format(format);
+    else if (!can_write_report())
+      throw std::invalid_argument("--format html: three.js was not found when this program was built");
   for (const std::string& input : command_line.inputs)
     if (input == "-")
       throw std::invalid_argument("the standard input is one mesh, which needs no --output-folder");
@@ -91,8 +95,14 @@ void check_outputs(const Command_line& command_line)
   const std::vector<std::string>& outputs = command_line.outputs;
   for (const std::string& name : outputs)
     check_output_name(name);
-  if (!command_line.caps.empty() && std::none_of(outputs.begin(), outputs.end(), is_pattern))
-    throw std::invalid_argument("--close has no meaning without a %d or %s in the name of an output");
+  const std::vector<std::string>& formats = command_line.formats; // of a collection
+  if (!command_line.caps.empty() && std::none_of(outputs.begin(), outputs.end(), is_pattern) &&
+      std::none_of(formats.begin(), formats.end(),
+                   [](const std::string& format)
+                   { return format != "html" && holds_a_mesh("mesh." + format); }))
+    throw std::invalid_argument(
+      "--close has no meaning without a %d or %s in the name of an output, or --format "
+      "with a format of meshes");
   if (!command_line.borders.empty() && lower_case_extension(command_line.borders) != ".vtp")
     throw std::invalid_argument("--borders: '" + command_line.borders + "' has not the extension .vtp");
 }

@@ -141,7 +141,8 @@ void add_options_of_meshes(CLI::App& app, Command_line& command_line, const char
     ->group(group);
   app
     .add_flag("--close{flat}", command_line.caps,
-              "close the meshes of -o with %d or %s where they were cut off. If the input is closed, so "
+              "close the meshes of -o with %d or %s, or of --format, where they were cut off. If the "
+              "input is closed, so "
               "are they.\n"
               "flat: caps that two meshes share; volumes add up to that of the input (the default)\n"
               "faired: rounded caps, separate for each mesh; slow for long rims")
@@ -194,8 +195,10 @@ void add_collection_options(CLI::App& app, Command_line& command_line)
     ->type_name("FOLDER")
     ->group(group);
   app
-    .add_option("--format", command_line.formats,
-                "format of the segments (default: seg); may be repeated")
+    .add_option(
+      "--format", command_line.formats,
+      "format of the segments (default: seg), or html, a page as of --report; may be repeated. With "
+      "--close, meshes become a folder of closed parts each.")
     ->allow_extra_args(false)
     ->type_name("EXTENSION")
     ->group(group);

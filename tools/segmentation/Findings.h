@@ -35,6 +35,7 @@ struct Segmentation_options
   std::optional<std::vector<std::size_t>> tips; // faces of the file: only their protrusions are cut off
   std::string labels; // a file with the segments; empty: they are to be found
   bool are_borders_smooth = false;
+  std::string caps; // of a collection: what closes the parts, "flat" or "faired"; empty: there are none
   std::size_t threads = 1; // no matter for the result
 };
 

@@ -5,6 +5,7 @@
 #include "segmentation/segment_file.h"
 
 #include "command_line/Error.h"
+#include "reading/lower_case_extension.h"
 #include "reading/read_labels.h"
 #include "reading/read_mesh.h"
 #include "report/report.h"
@@ -41,6 +42,10 @@ namespace
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// Shares of the progress: before it, the file is read, and behind it, borders are smoothed and files written.
+constexpr double begin_of_segmentation = 0.2;
+constexpr double end_of_segmentation = 0.8;
 
 // From there on a warning comes first: exact distances take minutes, and so does that many eigenpairs.
 constexpr std::size_t many_faces_for_exact_distances = 5000;
@@ -177,6 +182,20 @@ std::string note_on_boundary(const Mesh& mesh)
                               (number == 1 ? " edge" : " edges") + " of its boundary";
 }
 
+// Of the files for an output, one for each segment; none if it is a single file.
+std::vector<std::string> part_names(const std::string& name, const Output_names& names, const Findings& findings)
+{
+  const std::size_t number = findings.segmentation.number_of_segments;
+  if (names.have_numbers)
+    return is_pattern(name) ? names_of_parts(name, number, findings.names) : std::vector<std::string>();
+  if (names.folder_of_parts.empty() || !holds_a_mesh(name))
+    return {};
+  std::vector<std::string> result = names_of_parts("%d" + lower_case_extension(name), number, {});
+  for (std::string& part : result)
+    part = names.folder_of_parts + "/" + part;
+  return result;
+}
+
 std::string join_notes(const std::string& first, const std::string& second)
 {
   return first + (first.empty() || second.empty() ? "" : "; ") + second;
@@ -193,6 +212,12 @@ Findings segment_file(const std::string& input,
   Findings findings;
   findings.input = input;
   findings.options = options;
+  const auto tell = [progress](double share, const std::string& stage, std::size_t protrusions)
+  {
+    if (progress)
+      progress(share, stage, protrusions);
+  };
+  tell(0, "reading the file", 0);
   findings.mesh = read_input_mesh(input);
   findings.seconds_for_file = seconds_since(start);
   const std::size_t faces = findings.mesh.mesh.number_of_faces();
@@ -204,10 +229,18 @@ Findings segment_file(const std::string& input,
   Segmentation_options options_on_mesh = options;
   options_on_mesh.tips = tips_on_mesh(findings);
   findings.segmentation = options.labels.empty()
-                            ? segment(findings.mesh.mesh, options_on_mesh, progress)
+                            ? segment(findings.mesh.mesh, options_on_mesh,
+                                      [tell](double share, const std::string& stage, std::size_t protrusions)
+                                      {
+                                        tell(begin_of_segmentation + share * (end_of_segmentation - begin_of_segmentation),
+                                             stage, protrusions);
+                                      })
                             : given_segmentation(findings.mesh.mesh, read_labels(options.labels, findings.mesh));
   if (options.are_borders_smooth)
+  {
+    tell(end_of_segmentation, "smoothing borders", findings.segmentation.record.protrusions().size());
     smooth(findings);
+  }
   for (const std::string& note :
        {describe(findings.mesh.repairs), note_on_small_components(findings), note_on_number(options, findings.segmentation),
         note_on_tips(findings), note_on_borders(findings)})
@@ -225,9 +258,17 @@ void check_can_be_written(const Output_names& names)
       Output_files::check(name);
 }
 
-void write_findings(Findings& findings, const Output_names& names)
+void write_findings(Findings& findings, const Output_names& names, const Recorder::Progress& progress)
 {
   const Clock::time_point start = Clock::now();
+  std::size_t number_of_begun = 0;
+  const auto begin = [&](const std::string& name)
+  {
+    const double all = double(names.segments.size() + 3); // that of what may be written besides
+    if (progress)
+      progress(end_of_segmentation + (1 - end_of_segmentation) * double(number_of_begun++) / all, "writing " + name,
+               findings.segmentation.record.protrusions().size());
+  };
   Segmented_soup segmented = {std::move(findings.mesh.soup), // until the meshes are written: as large as they are
                               spread(findings.segmentation.segment_ids, findings.mesh), {}, findings.names};
   if (names.caps != Caps::NONE)
@@ -236,22 +277,33 @@ void write_findings(Findings& findings, const Output_names& names)
   Output_files files;
   for (const std::string& name : names.segments)
   {
+    begin(name);
     const Segmented_soup& whole = findings.smoothed && holds_a_mesh(name) ? cut : segmented;
-    if (!names.have_numbers || !is_pattern(name))
+    const std::vector<std::string> parts = part_names(name, names, findings);
+    if (parts.empty())
       add_output(name, whole, files);
     else if (names.caps != Caps::NONE)
-      add_parts(name, make_closed_parts(findings, names.caps), files);
+      add_parts(parts, make_closed_parts(findings, names.caps), files);
     else
-      add_parts(name, parts_of(whole, findings.segmentation.number_of_segments), files);
+      add_parts(parts, parts_of(whole, findings.segmentation.number_of_segments), files);
   }
   findings.mesh.soup = std::move(segmented.soup);
   if (!names.report.empty())
+  {
+    begin(names.report);
     files.add(names.report, [&](std::ostream& out) { write_report(out, findings); });
+  }
   if (!names.borders.empty())
+  {
+    begin(names.borders);
     files.add(names.borders, [&](std::ostream& out) { write_borders(out, find_borders(findings)); });
+  }
   findings.seconds_for_writing = seconds_since(start); // the record, which tells of it, is not counted
   if (!names.json.empty())
+  {
+    begin(names.json);
     files.add(names.json, [&](std::ostream& out) { write_json(out, describe(findings)); });
+  }
   files.publish();
 }
 

@@ -252,7 +252,8 @@ Json describe(const Segmentation_options& options)
     .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
     .add_if(options.distance == "diffusion", "diffusion_time", options.time)
     .add("seed", options.seed)
-    .add("smooth_borders", options.are_borders_smooth);
+    .add("smooth_borders", options.are_borders_smooth)
+    .add_if(!options.caps.empty(), "caps", options.caps);
   return object.take();
 }
 

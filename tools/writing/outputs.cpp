@@ -9,6 +9,7 @@
 #include "writing/palette.h"
 #include "writing/part_names.h"
 #include "writing/ply.h"
+#include "writing/shortest_digits.h"
 #include "writing/vtp.h"
 
 #include <algorithm>
@@ -29,11 +30,13 @@ void write_seg(std::ostream& out, const Segmented_soup& segmented)
 void write_off(std::ostream& out, const Segmented_soup& segmented)
 {
   const auto& [points, polygons] = segmented.soup;
-  out.precision(17); // a double is read as it was written
   out << "OFF\n" << points.size() << " " << polygons.size() << " 0\n";
   const std::vector<CGAL::IO::Color> colors = segment_colors(segmented.segments);
   for (const Point& point : points)
-    out << point << "\n";
+  {
+    write_shortest(out, point);
+    out << "\n";
+  }
   for (std::size_t i = 0; i < polygons.size(); ++i)
   {
     out << polygons[i].size();
@@ -50,9 +53,12 @@ void write_obj(std::ostream& out, const Segmented_soup& segmented)
   const auto& [points, polygons] = segmented.soup;
   const auto last = std::max_element(segmented.segments.begin(), segmented.segments.end());
   const std::vector<std::string> names = names_of_parts("%s", polygons.empty() ? 0 : *last + 1, segmented.names);
-  out.precision(17); // a double is read as it was written
   for (const Point& point : points)
-    out << "v " << point << "\n";
+  {
+    out << "v ";
+    write_shortest(out, point);
+    out << "\n";
+  }
   for (std::size_t i = 0; i < polygons.size(); ++i)
   {
     if (i == 0 || segmented.segments[i] != segmented.segments[i - 1])
@@ -179,10 +185,9 @@ std::vector<Segmented_soup> parts_of(const Segmented_soup& segmented, std::size_
   return parts;
 }
 
-void add_parts(const std::string& pattern, const std::vector<Segmented_soup>& parts, Output_files& files)
+void add_parts(const std::vector<std::string>& names, const std::vector<Segmented_soup>& parts, Output_files& files)
 {
-  files.make_folder_of(pattern);
-  const std::vector<std::string> names = names_of_parts(pattern, parts.size(), parts.front().names);
+  files.make_folder_of(names.front());
   for (std::size_t s = 0; s < parts.size(); ++s)
     add_output(names[s], parts[s], files);
 }
