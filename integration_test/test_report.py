@@ -147,6 +147,20 @@ def check_slider(page, record):
     page.set_level(most)
 
 
+def check_nested(page, record, work, tool, mesh):
+    """The page names the call that gives what the slider shows."""
+    level = record["segments"] - 4
+    page.set_level(level)
+    options = ["-k", str(level), "--of", str(record["segments"])]
+    expect(" ".join(options) in page.text("nested"), "the page does not say what it shows")
+    page.browser.save_screenshot(str(work / "nested.png"))
+    labels = work / "nested.seg"
+    subprocess.run([tool, mesh, *options, "--method", record["method"], "-o", labels, "--quiet"], check=True)
+    expect(page.run("return report.model.segText()") == labels.read_text(), "the call gives other segments")
+    page.set_level(record["segments"])
+    expect(page.text("nested") == "", "the finest segments are called nested")
+
+
 def check_merging(page, record):
     """A selected protrusion is given to its parent, and comes back."""
     least = min(record["protrusions"], key=lambda protrusion: protrusion["value"])
@@ -318,6 +332,7 @@ def check(page, record, work, tool, mesh):
     check_click(page, record)
     page.browser.save_screenshot(str(work / "clicked.png"))
     check_slider(page, record)
+    check_nested(page, record, work, tool, mesh)
     check_merging(page, record)
     check_renaming(page)
     check_colors(page, record)

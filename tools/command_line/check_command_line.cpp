@@ -81,6 +81,13 @@ void check_collection(const CLI::App& app, const Command_line& command_line)
       throw std::invalid_argument("the standard input is one mesh, which needs no --output-folder");
 }
 
+void check_hierarchy(const Segmentation_options& options)
+{
+  if (options.hierarchy && *options.hierarchy < *options.number_of_segments)
+    throw std::invalid_argument("--of: '" + std::to_string(*options.hierarchy) + "' is less than the " +
+                                std::to_string(*options.number_of_segments) + " segments of -k");
+}
+
 // What belongs to finding segments, beside segments that are given.
 void check_labels(const CLI::App& app, const Command_line& command_line)
 {
@@ -158,6 +165,7 @@ void check(const CLI::App& app, const Command_line& command_line)
     check_inputs(command_line);
     check_collection(app, command_line);
     check_labels(app, command_line);
+    check_hierarchy(command_line.options);
     check_outputs(command_line);
     check_names(command_line);
     if (!command_line.report.empty() && !can_write_report())

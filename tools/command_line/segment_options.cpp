@@ -51,6 +51,15 @@ void add_segmentation_options(CLI::App& app, Command_line& command_line)
     ->type_name("N")
     ->group(group);
   app
+    .add_option("--of", options.hierarchy,
+                "with -k N: the N nested segments that the page of --report shows for N of M. -k N alone "
+                "is the best "
+                "segmentation into N, and may differ.")
+    ->transform(integer("number of segments", 1))
+    ->needs("--segments")
+    ->type_name("M")
+    ->group(group);
+  app
     .add_option(
       "--tips", command_line.tips,
       "cut off only the protrusions of these faces: {\"tips\": [12, 345]}, as the page of --report saves "

@@ -26,6 +26,7 @@ double default_diffusion_time();
 struct Segmentation_options
 {
   std::optional<std::size_t> number_of_segments; // unset: as many as there are protrusions
+  std::optional<std::size_t> hierarchy; // the number of segments of a hierarchy of which that many are taken
   std::string method = "minimum-cut"; // the package's own default
   std::string distance; // empty: that of the method
   std::string landmarks = "5%"; // a share of the faces, or a number of them

@@ -221,7 +221,7 @@ Findings segment_file(const std::string& input,
   findings.mesh = read_input_mesh(input);
   findings.seconds_for_file = seconds_since(start);
   const std::size_t faces = findings.mesh.mesh.number_of_faces();
-  const std::size_t wanted = options.number_of_segments.value_or(0);
+  const std::size_t wanted = options.hierarchy.value_or(options.number_of_segments.value_or(0));
   if (wanted > faces)
     throw Error(input, "has " + std::to_string(faces) + " faces, too few for " + std::to_string(wanted) +
                          " segments");

@@ -244,6 +244,7 @@ Json describe(const Segmentation_options& options)
   object
     .add_if(options.number_of_segments.has_value(), "segments_requested",
             options.number_of_segments.value_or(0))
+    .add_optional("hierarchy_requested", options.hierarchy)
     .add_if(options.tips.has_value(), "tips_requested", options.tips.value_or(std::vector<std::size_t>()))
     .add_if(!options.labels.empty(), "labels", options.labels)
     .add_if(options.labels.empty(), "method", options.method)

@@ -45,6 +45,9 @@ class Model
     this.setJoined(new Set([...this.protrusions.keys()].slice(numberOfSegments - this.minimum)));
   }
 
+  // Is it what the slider shows?
+  isLevel() { return [...this.protrusions.keys()].slice(this.number - this.minimum).every(s => this.joined.has(s)); }
+
   // `joined`: the protrusions whose cuts are taken back
   setJoined(joined)
   {

@@ -43,6 +43,7 @@ class Report
     const {number, maximum} = this.model;
     document.getElementById("level").value = number;
     document.getElementById("level_value").value = `${number} of ${maximum}`;
+    this.showWhichNested();
     document.getElementById("undo").disabled = !this.editor.canUndo();
     document.getElementById("merge").disabled = !this.editor.canMerge(this.selected);
     document.getElementById("from_tips").disabled = this.editor.tips.length === 0;
@@ -53,6 +54,18 @@ class Report
 
   // One line on the mesh, until something changes.
   say(text) { document.getElementById("message").textContent = text; }
+
+  // The slider does not show what -k finds.
+  showWhichNested()
+  {
+    const {number, maximum, minimum, data} = this.model;
+    const nested = document.getElementById("nested");
+    nested.hidden = !this.model.isLevel() || number === maximum || number === minimum || data.labels !== null ||
+                    data.tips_requested !== null;
+    const call = `-k ${number} --of ${data.hierarchy_requested ?? maximum}`;
+    nested.replaceChildren("These are nested segments, of ", element("code", {textContent: call}), ". ",
+                           element("code", {textContent: `-k ${number}`}), " alone may find better ones.");
+  }
 
   setLevel(numberOfSegments) { this.editor.setLevel(numberOfSegments); }
 
