@@ -306,6 +306,52 @@ def check_labels(browser, work, tool, mesh):
     expect_no_errors(browser)
 
 
+def parts_of_obj(file):
+    """The triangles of each object, as points."""
+    points, parts = [], {}
+    for words in map(str.split, file.read_text(encoding="utf-8").splitlines()):
+        if words[0] == "o":
+            part = parts.setdefault(words[1], [])
+        elif words[0] == "v":
+            points.append(tuple(map(float, words[1:])))
+        else:
+            part.append([int(word) - 1 for word in words[1:]])
+    return points, parts
+
+
+def volume_of_closed(points, faces):
+    edges = {edge for face in faces for edge in zip(face, face[1:] + face[:1])}
+    expect(len(edges) == 3 * len(faces) and all((b, a) in edges for a, b in edges), "a part is not closed")
+    return sum(ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
+               for (ax, ay, az), (bx, by, bz), (cx, cy, cz) in ([points[i] for i in face] for face in faces)) / 6
+
+
+def check_meshes(page, record, work, tool, mesh):
+    """Meshes that the page saves: the tool reads them, and finds the segments in the coloured one."""
+    ply = page.save("save_ply", "octopus.ply")
+    labels = work / "of_ply.seg"
+    subprocess.run([tool, ply, "--labels", ply, "-o", labels, "-o", work / "of_ply.off", "--quiet"], check=True)
+    expect(page.run("return report.model.segText()") == labels.read_text(), "the coloured mesh has other segments")
+    points, parts = parts_of_obj(page.save("save_obj", "octopus.parts.obj"))
+    expect(len(parts) == page.run("return report.model.number"), "there is not an object for each segment")
+    volumes = [volume_of_closed(points, faces) for faces in parts.values()]
+    whole = volume_of_closed(*points_and_faces(mesh))
+    expect(min(volumes) > 0 and abs(sum(volumes) - whole) < 0.001 * whole, f"the volumes {volumes} are not {whole} together")
+    corners = {tuple(point) for point in points_and_faces(mesh)[0]}
+    near = min(max(abs(a - b) for a, b in zip(points[0], corner)) for corner in corners)
+    expect(near < 1e-3, "the coordinates are not those of the file")
+    page.button_of(0).click()
+    stl = page.save("save_stl", "octopus.segment_0.stl")
+    subprocess.run([tool, stl, "-k", "1", "--quiet"], check=True)
+    page.run("report.select(-1)")
+
+
+def points_and_faces(off):
+    lines = [line.split() for line in off.read_text().splitlines() if line.strip()]
+    number = int(lines[1][0])
+    return [tuple(map(float, line[:3])) for line in lines[2:2 + number]], [list(map(int, line[1:])) for line in lines[2 + number:]]
+
+
 def check_turning(page):
     before = page.run("return report.view.turned.quaternion.toArray()")
     canvas = page.browser.find_element(By.ID, "canvas")
@@ -333,6 +379,7 @@ def check(page, record, work, tool, mesh):
     page.browser.save_screenshot(str(work / "clicked.png"))
     check_slider(page, record)
     check_nested(page, record, work, tool, mesh)
+    check_meshes(page, record, work, tool, mesh)
     check_merging(page, record)
     check_renaming(page)
     check_colors(page, record)

@@ -19,6 +19,7 @@ class Report
   {
     this.model = new Model(JSON.parse(document.getElementById("data").textContent));
     this.editor = new Editor(this.model, () => this.show());
+    this.exporter = new Exporter(this.model, this.editor);
     this.selected = -1;
     this.panel = new Panel(this.model, this.editor, segment => this.select(segment));
     this.view = new View(document.getElementById("canvas"), this.model, this.editor);
@@ -46,6 +47,7 @@ class Report
     this.showWhichNested();
     document.getElementById("undo").disabled = !this.editor.canUndo();
     document.getElementById("merge").disabled = !this.editor.canMerge(this.selected);
+    document.getElementById("save_stl").disabled = this.selected < 0;
     document.getElementById("from_tips").disabled = this.editor.tips.length === 0;
     this.say("");
     this.panel.show(this.selected);
@@ -83,6 +85,10 @@ class Report
     const actions = {undo: () => this.editor.undo(), merge: () => this.merge(),
                      from_tips: () => this.segmentFromTips(),
                      save_seg: () => saveFile(`${name}.seg`, this.model.segText()),
+                     save_ply: () => saveFile(`${name}.ply`, this.exporter.plyText()),
+                     save_obj: () => saveFile(`${name}.parts.obj`, this.exporter.objText()),
+                     save_stl: () => saveFile(`${name}.${this.exporter.nameOf(this.selected)}.stl`,
+                                              this.exporter.stlText(this.selected)),
                      save_tips: () => saveFile(`${name}.tips.json`, this.editor.tipsText())};
     for (const [id, action] of Object.entries(actions))
       document.getElementById(id).onclick = action;
