@@ -54,6 +54,16 @@ public:
   // The best cuts into a number of segments; none if there are not as many.
   const Cut_set* best(std::size_t number_of_segments) { return m_beam.best(number_of_segments); }
 
+  // The best sets into fewer segments.
+  std::vector<const Cut_set*> coarser_than(const Cut_set& set)
+  {
+    std::vector<const Cut_set*> result;
+    for (std::size_t number = set.segments.size(); number-- > 2;) // first the largest one, which moves the others in memory
+      if (const Cut_set* coarser = m_beam.best(number))
+        result.push_back(coarser);
+    return result;
+  }
+
   // What segment `number_of_segments` + 1 gains; nothing if there is none.
   std::optional<double> gain(std::size_t number_of_segments)
   {

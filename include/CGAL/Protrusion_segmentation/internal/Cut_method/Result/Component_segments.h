@@ -12,6 +12,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Border_arcs.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Face_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Joining_order.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
 
 #include <algorithm>
@@ -25,8 +26,9 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// The segments of a connected surface that a set of cuts makes: the faces of each and their tree. The body is segment 0;
-// the others are in the order in which their borders were chosen.
+// The segments of a connected surface that a set of cuts makes: the faces of each and their tree. The body is segment 0. With the
+// last of the others given to their parents, the segments are near those of the best set of as many, if that is among the
+// `coarser` ones.
 class Component_segments
 {
 public:
@@ -36,7 +38,8 @@ public:
                      const Segment_memo& memo,
                      const Cut_set& set,
                      const Cut_options& options,
-                     Execution& execution)
+                     Execution& execution,
+                     const std::vector<const Cut_set*>& coarser = {})
     : m_graphs(graphs),
       m_memo(memo),
       m_set(set),
@@ -48,7 +51,7 @@ public:
       label = m_leaf_of_node[label];
     if (options.moves_borders_on_faces && set.segments.size() > 1)
       move_borders(execution);
-    arrange();
+    arrange(coarser);
   }
 
   std::size_t number_of_segments() const { return m_set.segments.size(); }
@@ -105,7 +108,7 @@ private:
   }
 
   // Gives the leaves their final numbers.
-  void arrange()
+  void arrange(const std::vector<const Cut_set*>& coarser)
   {
     std::vector<double> areas(number_of_segments(), 0);
     for (Index f = 0; f < m_labels.size(); ++f)
@@ -116,6 +119,7 @@ private:
     std::vector<Index> order(areas.size()); // by the cut, that of the body first
     std::iota(order.begin(), order.end(), Index(0));
     std::sort(order.begin(), order.end(), [&](Index a, Index b) { return cuts[a] + 1 < cuts[b] + 1; });
+    order = order_with(tree, std::move(order), coarser);
     std::vector<Index> number(areas.size());
     for (Index s = 0; s < order.size(); ++s)
       number[order[s]] = s;
@@ -127,6 +131,36 @@ private:
     }
     for (Index& label : m_labels)
       label = number[label];
+  }
+
+  // The order of the leaves, the body first, from that of their cuts.
+  std::vector<Index> order_with(const Segment_tree& tree,
+                                std::vector<Index> order,
+                                const std::vector<const Cut_set*>& coarser) const
+  {
+    constexpr std::size_t most =
+      100; // segments for which others are looked at: it takes the cube of the number
+    Joining_order joining(tree, std::move(order));
+    while (joining.number_left() > 2)
+    {
+      const auto set = std::find_if(coarser.begin(), coarser.end(),
+                                    [&](const Cut_set* s)
+                                    { return s->segments.size() + 1 == joining.number_left(); });
+      if (set == coarser.end() || joining.number_left() > most)
+        joining.join_last();
+      else
+        joining.join_for(overlaps_with(**set));
+    }
+    return joining();
+  }
+
+  Joining_order::Overlaps overlaps_with(const Cut_set& set) const
+  {
+    Joining_order::Overlaps result(number_of_segments(), std::vector<double>(set.segments.size(), 0));
+    for (std::size_t j = 0; j < set.segments.size(); ++j)
+      for (Index node : m_memo[set.segments[j]].segment.nodes)
+        result[m_leaf_of_node[node]][j] += m_graphs.coarse.area[node];
+    return result;
   }
 
   // Of every leaf the cut of its border to its parent: the one that separated the two. A cut that separated several gets the
