@@ -26,6 +26,7 @@ try:
     from selenium import webdriver
     from selenium.webdriver.common.action_chains import ActionChains
     from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
     from selenium.webdriver.chrome.service import Service
 except ImportError:
     sys.exit(SKIPPED)
@@ -111,13 +112,18 @@ def expect(condition, message):
         raise AssertionError(message)
 
 
+def expect_no_errors(browser):
+    errors = [entry["message"] for entry in browser.get_log("browser") if entry["level"] == "SEVERE"]
+    expect(not errors, f"errors in the page: {errors}")
+
+
 def check_click(page, record):
     """A click on the tip of a protrusion that can be seen shows the protrusion."""
     expect("No segment is selected" in page.text("details"), "a segment is selected at the beginning")
     seen = 0
     for protrusion in record["protrusions"]:
         x, y = map(round, page.run(f"return report.view.positionOf({protrusion['tip']})"))
-        if page.run(f"return report.view.segmentAt({x}, {y})") != protrusion["segment"]:
+        if page.run(f"return report.model.segmentOfFace(report.view.faceAt({x}, {y}))") != protrusion["segment"]:
             continue  # hidden by another part
         page.click_at(x, y)
         details = page.text("details")
@@ -141,6 +147,20 @@ def check_slider(page, record):
     page.set_level(most)
 
 
+def check_nested(page, record, work, tool, mesh):
+    """The page names the call that gives what the slider shows."""
+    level = record["segments"] - 4
+    page.set_level(level)
+    options = ["-k", str(level), "--of", str(record["segments"])]
+    expect(" ".join(options) in page.text("nested"), "the page does not say what it shows")
+    page.browser.save_screenshot(str(work / "nested.png"))
+    labels = work / "nested.seg"
+    subprocess.run([tool, mesh, *options, "--method", record["method"], "-o", labels, "--quiet"], check=True)
+    expect(page.run("return report.model.segText()") == labels.read_text(), "the call gives other segments")
+    page.set_level(record["segments"])
+    expect(page.text("nested") == "", "the finest segments are called nested")
+
+
 def check_merging(page, record):
     """A selected protrusion is given to its parent, and comes back."""
     least = min(record["protrusions"], key=lambda protrusion: protrusion["value"])
@@ -160,10 +180,15 @@ def check_merging(page, record):
     expect(not page.browser.find_element(By.ID, "undo").is_enabled(), "there is more to undo than was done")
 
 
-def check_renaming(page):
-    page.button_of(1).click()
+def rename(page, segment, name):
+    page.button_of(segment).click()
     field = page.browser.find_element(By.ID, "name")
-    field.send_keys("left <arm>\n")
+    field.send_keys(Keys.CONTROL, "a")
+    field.send_keys(name + "\n")
+
+
+def check_renaming(page):
+    rename(page, 1, "left <arm>")
     expect("left <arm>" in page.text("tree"), "the tree does not show the name")
     expect("Segment left <arm>" in page.text("details"), "the name is not that of the segment")
 
@@ -178,18 +203,66 @@ def check_colors(page, record):
         expect(abs(page.run(f"return report.model.confidence({segment})") - value) < 1e-12, "another confidence")
     colors = [page.run(f"return colorOf(report.model, {s})") for s in sorted(confidence, key=confidence.get)]
     expect(colors[0][0] - colors[0][2] >= colors[-1][0] - colors[-1][2], "the least sure is not the reddest")
+    if all(p["probability"] is not None for p in record["protrusions"]):  # all arms are clear
+        expect(all(color[2] > color[0] for color in colors), "a sure segment is red")
     expect("check first" in page.text("tools"), "the scale is not shown")
 
 
+def check_further_tip(page):
+    """Where there is no smaller segment, the page says so, keeps the tip and saves it, too."""
+    face = page.run("return report.model.segments.indexOf(0)")
+    page.run(f"report.editor.pick({face})")
+    page.click_button("from_tips")
+    expect(f"ends at face {face}." in page.text("message"), "the page does not say that there is no segment")
+    expect(page.run("return JSON.parse(report.editor.tipsText()).tips")[-1] == face, "the further tip is not saved")
+    page.browser.save_screenshot(str(page.downloads.parent / "no_segment.png"))
+    page.run(f"report.editor.pick({face})")
+    expect(page.text("message") == "", "the message stays")
+
+
+def check_clicks_without_effect(page):
+    """They are answered with a word."""
+    x, y = page.run("""
+        const canvas = report.view.canvas.getBoundingClientRect();
+        for (let x = canvas.left + 5; x < canvas.right; x += 10)
+          for (let y = canvas.top + 5; y < canvas.bottom; y += 10)
+            if (report.view.faceAt(x, y) < 0)
+              return [x, y];""")
+    page.click_at(round(x), round(y))
+    expect("no face" in page.text("message"), "a click beside the mesh is not answered")
+    page.browser.find_element(By.ID, "canvas").send_keys(Keys.DELETE)
+    expect("No segment" in page.text("message"), "merging nothing is not answered")
+    page.button_of(0).click()
+    page.browser.find_element(By.ID, "canvas").send_keys(Keys.DELETE)
+    expect("no parent" in page.text("message"), "merging a body is not answered")
+    page.run("report.select(-1)")
+
+
+def check_first_view(page):
+    """All vertices are on the canvas."""
+    outside = page.run("""
+        const view = report.view; view.scene.updateMatrixWorld();
+        let largest = 0;
+        for (let v = 0; v < report.model.positions.length; v += 3)
+        {
+          const point = view.turned.localToWorld(new THREE.Vector3().fromArray(report.model.positions, v)).project(view.camera);
+          largest = Math.max(largest, Math.abs(point.x), Math.abs(point.y));
+        }
+        return largest;""")
+    expect(0.85 < outside < 1, f"the mesh fills {outside} of the canvas")
+
+
 def check_tips(page, record, work, tool, mesh):
-    """Two tips are picked by clicks; the tool makes of the saved file what it makes of these faces."""
+    """Of a page that shows the body alone, two tips are picked by clicks: their protrusions are shown. The tool makes of the saved
+    file what it makes of these faces."""
     expect(all(page.run(f"return report.model.segmentOfFace(report.model.tip({p['segment']}))") == p["segment"]
                for p in record["protrusions"]), "the tip of a segment is not on it")
+    page.set_level(record["segments"] - len(record["protrusions"]))
     page.browser.find_element(By.ID, "picking").click()
     picked = []
     for protrusion in record["protrusions"]:
         x, y = map(round, page.run(f"return report.view.positionOf({protrusion['tip']})"))
-        if len(picked) < 2 and page.run(f"return report.view.segmentAt({x}, {y})") == protrusion["segment"]:
+        if len(picked) < 2 and page.run(f"return report.model.segments[report.view.faceAt({x}, {y})]") == protrusion["segment"]:
             page.click_at(x, y)
             picked.append(protrusion["segment"])
     expect(len(picked) == 2, "there are no two tips to click at")
@@ -198,9 +271,13 @@ def check_tips(page, record, work, tool, mesh):
     page.browser.save_screenshot(str(work / "picked.png"))
     page.click_button("from_tips")
     expect(page.run("return report.model.shownSegments()") == [0] + sorted(picked), "other segments than those of the tips")
+    expect(page.run("return report.editor.tips") == [], "tips of shown segments are still picked")
+    check_further_tip(page)
+    rename(page, picked[0], "an <arm>")
+    tips = [page.run(f"return report.model.tip({segment})") for segment in picked]
     saved = page.save("save_tips", "octopus.tips.json")
     content = json.loads(saved.read_text(encoding="utf-8"))
-    expect(content["tips"] == tips, "other tips were saved")
+    expect(sorted(content["tips"]) == sorted(tips), "other tips were saved")
     labels = work / "from_tips.seg"
     subprocess.run([tool, mesh, "--tips", saved, "-o", labels, "--quiet"], check=True)
     of_tool = labels.read_text(encoding="utf-8").split()
@@ -211,6 +288,70 @@ def check_tips(page, record, work, tool, mesh):
         expect(of_page[tip] == str(1 + sorted(picked).index(segment)), "a tip is not in its segment")
 
 
+def check_labels(browser, work, tool, mesh):
+    """What was saved is a segmentation with names, whose page says so."""
+    saved = work / "saved"
+    subprocess.run([tool, mesh, "--labels", saved / "octopus.seg", "--names", saved / "octopus.tips.json", "--quiet",
+                    "-o", work / "parts/%s.obj", "--close", "--report", work / "labels.html"], check=True)
+    expect(len(list((work / "parts").iterdir())) == 3 and (work / "parts/an__arm_.obj").exists(), "no part has the name")
+    page = Page(browser, work / "labels.html")
+    expect("an <arm>" in page.text("tree"), "the page does not show the name")
+    expect("octopus.seg" in page.text("summary"), "the page does not say whose segments these are")
+    expect(not page.browser.find_element(By.ID, "colors").is_displayed(), "there is confidence without values")
+    page.button_of(page.run("return report.model.data.protrusions[0].segment")).click()
+    expect("area beyond the border" in page.text("details"), "no details")
+    page.browser.save_screenshot(str(work / "labels.png"))
+    page.set_level(2)
+    expect(page.run("return report.model.number") == 2, "the slider does not join segments")
+    expect_no_errors(browser)
+
+
+def parts_of_obj(file):
+    """The triangles of each object, as points."""
+    points, parts = [], {}
+    for words in map(str.split, file.read_text(encoding="utf-8").splitlines()):
+        if words[0] == "o":
+            part = parts.setdefault(words[1], [])
+        elif words[0] == "v":
+            points.append(tuple(map(float, words[1:])))
+        else:
+            part.append([int(word) - 1 for word in words[1:]])
+    return points, parts
+
+
+def volume_of_closed(points, faces):
+    edges = {edge for face in faces for edge in zip(face, face[1:] + face[:1])}
+    expect(len(edges) == 3 * len(faces) and all((b, a) in edges for a, b in edges), "a part is not closed")
+    return sum(ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
+               for (ax, ay, az), (bx, by, bz), (cx, cy, cz) in ([points[i] for i in face] for face in faces)) / 6
+
+
+def check_meshes(page, record, work, tool, mesh):
+    """Meshes that the page saves: the tool reads them, and finds the segments in the coloured one."""
+    ply = page.save("save_ply", "octopus.ply")
+    labels = work / "of_ply.seg"
+    subprocess.run([tool, ply, "--labels", ply, "-o", labels, "-o", work / "of_ply.off", "--quiet"], check=True)
+    expect(page.run("return report.model.segText()") == labels.read_text(), "the coloured mesh has other segments")
+    points, parts = parts_of_obj(page.save("save_obj", "octopus.parts.obj"))
+    expect(len(parts) == page.run("return report.model.number"), "there is not an object for each segment")
+    volumes = [volume_of_closed(points, faces) for faces in parts.values()]
+    whole = volume_of_closed(*points_and_faces(mesh))
+    expect(min(volumes) > 0 and abs(sum(volumes) - whole) < 0.001 * whole, f"the volumes {volumes} are not {whole} together")
+    corners = {tuple(point) for point in points_and_faces(mesh)[0]}
+    near = min(max(abs(a - b) for a, b in zip(points[0], corner)) for corner in corners)
+    expect(near < 1e-3, "the coordinates are not those of the file")
+    page.button_of(0).click()
+    stl = page.save("save_stl", "octopus.segment_0.stl")
+    subprocess.run([tool, stl, "-k", "1", "--quiet"], check=True)
+    page.run("report.select(-1)")
+
+
+def points_and_faces(off):
+    lines = [line.split() for line in off.read_text().splitlines() if line.strip()]
+    number = int(lines[1][0])
+    return [tuple(map(float, line[:3])) for line in lines[2:2 + number]], [list(map(int, line[1:])) for line in lines[2 + number:]]
+
+
 def check_turning(page):
     before = page.run("return report.view.turned.quaternion.toArray()")
     canvas = page.browser.find_element(By.ID, "canvas")
@@ -219,7 +360,7 @@ def check_turning(page):
 
 
 def check_speed(page, record):
-    times = {"click": page.seconds("report.select(report.view.segmentAt(400, 400))"),
+    times = {"click": page.seconds("report.click(400, 400)"),
              "slider": page.seconds(f"report.setLevel({record['segments'] - 1})"),
              "frame": min(page.seconds(FRAME) for _ in range(3))}
     print(f"{record['faces']} faces:", ", ".join(f"{name} {1000 * t:.0f} ms" for name, t in times.items()))
@@ -232,9 +373,13 @@ def check(page, record, work, tool, mesh):
     expect("three.js" in page.run("return document.getElementById('licence').textContent"), "no licence")
     expect(page.pixels() > 10000, "nothing is drawn")
     page.browser.save_screenshot(str(work / "begin.png"))
+    check_first_view(page)
+    check_clicks_without_effect(page)
     check_click(page, record)
     page.browser.save_screenshot(str(work / "clicked.png"))
     check_slider(page, record)
+    check_nested(page, record, work, tool, mesh)
+    check_meshes(page, record, work, tool, mesh)
     check_merging(page, record)
     check_renaming(page)
     check_colors(page, record)
@@ -243,8 +388,7 @@ def check(page, record, work, tool, mesh):
     check_turning(page)
     check_speed(page, record)
     page.browser.save_screenshot(str(work / "end.png"))
-    errors = [entry["message"] for entry in page.browser.get_log("browser") if entry["level"] == "SEVERE"]
-    expect(not errors, f"errors in the page: {errors}")
+    expect_no_errors(page.browser)
 
 
 def main():
@@ -276,6 +420,7 @@ def main():
         page = Page(browser, html)
         print(f"loaded after {time.monotonic() - begin:.1f} s, the start of the browser included")
         check(page, json.loads(found.read_text(encoding="utf-8")), arguments.work, arguments.segment_by_protrusions, mesh)
+        check_labels(browser, arguments.work, arguments.segment_by_protrusions, mesh)
     finally:
         browser.quit()
 

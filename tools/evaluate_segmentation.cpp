@@ -8,6 +8,7 @@
 // table for people, as JSON for programs. All scores are those of the program of the Princeton Segmentation
 // Benchmark, so that they can stand beside published ones.
 
+#include "command_line/Error.h"
 #include "command_line/Help_formatter.h"
 #include "command_line/tool_main.h"
 #include "rand_index_error_of_benchmark.h"
@@ -20,11 +21,16 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cstddef>
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 using Metrics = CGAL::Protrusion_segmentation::Segmentation_metrics;
@@ -61,19 +67,6 @@ std::vector<Score> scores(const Metrics& metrics)
           {"local_consistency_error_by_area", "LCEa", consistency.local_by_area}};
 }
 
-Json as_json(const std::vector<std::string>& references, const std::vector<Metrics>& metrics)
-{
-  Json array = Json::array();
-  for (std::size_t i = 0; i < references.size(); ++i)
-  {
-    Json object = {{"reference", references[i]}};
-    for (const Score& score : scores(metrics[i]))
-      object[score.name] = score.value ? Json(*score.value) : Json(nullptr);
-    array.push_back(object);
-  }
-  return array;
-}
-
 std::string row(const std::vector<Score>& scores, const std::string& reference)
 {
   std::ostringstream out;
@@ -108,6 +101,26 @@ std::vector<Score> mean_scores(const std::vector<Metrics>& metrics)
   return means;
 }
 
+Json as_json(const std::vector<Score>& scores)
+{
+  Json object = Json::object();
+  for (const Score& score : scores)
+    object[score.name] = score.value ? Json(*score.value) : Json(nullptr);
+  return object;
+}
+
+Json as_json(const std::vector<std::string>& references, const std::vector<Metrics>& metrics)
+{
+  Json array = Json::array();
+  for (std::size_t i = 0; i < references.size(); ++i)
+  {
+    Json object = {{"reference", references[i]}};
+    object.update(as_json(scores(metrics[i])));
+    array.push_back(object);
+  }
+  return {{"references", array}, {"mean", as_json(mean_scores(metrics))}};
+}
+
 void print_table(const std::vector<std::string>& references, const std::vector<Metrics>& metrics)
 {
   std::string headings;
@@ -129,16 +142,44 @@ Metrics metrics_of_benchmark(const tool::Mesh& mesh,
                              const tool::Segment_ids& reference)
 {
   Metrics metrics = CGAL::Protrusion_segmentation::segmentation_metrics(mesh, segments, reference);
-  metrics.rand_index_error = rand_index_error_of_benchmark(metrics.rand_index_error, mesh.number_of_faces());
+  metrics.rand_index_error = rand_index_error_of_benchmark(metrics.rand_index_error,
+                                                           mesh.number_of_faces());
   return metrics;
+}
+
+// Folders become the .seg files in them, as the benchmark's archive has one for each mesh.
+std::vector<std::string> files_of(const std::vector<std::string>& references)
+{
+  namespace fs = std::filesystem;
+  std::vector<std::string> result;
+  for (const std::string& reference : references)
+  {
+    std::error_code ignored;
+    if (!fs::is_directory(reference, ignored))
+    {
+      result.push_back(reference);
+      continue;
+    }
+    const std::size_t begin = result.size();
+    for (const fs::directory_entry& entry : fs::directory_iterator(reference, ignored))
+      if (entry.path().extension() == ".seg")
+        result.push_back(entry.path().string());
+    if (result.size() == begin)
+      throw tool::Error(reference, "has no .seg files in it");
+    std::sort(result.begin() + std::ptrdiff_t(begin), result.end(),
+              [](const std::string& a, const std::string& b)
+              { return std::make_pair(a.size(), a) < std::make_pair(b.size(), b); }); // 2 before 10
+  }
+  return result;
 }
 
 void evaluate(const Command_line& command_line)
 {
+  const std::vector<std::string> references = files_of(command_line.references);
   tool::Input_mesh input = tool::read_input_mesh(command_line.mesh);
   const tool::Segment_ids segments = tool::read_segmentation(command_line.segmentation, input);
   std::vector<Metrics> metrics;
-  for (const std::string& reference : command_line.references)
+  for (const std::string& reference : references)
   {
     tool::Segment_ids reference_ids = tool::read_segmentation(reference, input);
     metrics.push_back(metrics_of_benchmark(input.mesh, segments, reference_ids));
@@ -148,11 +189,10 @@ void evaluate(const Command_line& command_line)
   const auto write_json = [&](std::ostream& out)
   {
     // A name that is no UTF-8 must not keep the scores from being written.
-    out << as_json(command_line.references, metrics).dump(2, ' ', false, Json::error_handler_t::replace)
-        << "\n";
+    out << as_json(references, metrics).dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
   };
   if (command_line.json.empty())
-    print_table(command_line.references, metrics);
+    print_table(references, metrics);
   else if (command_line.json == "-")
     write_json(std::cout);
   else
@@ -167,10 +207,16 @@ void add_options(CLI::App& app, Command_line& command_line)
                 "a mesh.\nFormats: " + tool::known_formats() + "; each also compressed by gzip (.gz).")
     ->required()
     ->type_name("");
-  app.add_option("SEGMENTATION", command_line.segmentation, "the segmentation to score: one segment id a line (.seg)")
+  app
+    .add_option("SEGMENTATION", command_line.segmentation,
+                "the segmentation to score: one segment id a line (.seg)")
     ->required()
     ->type_name("");
-  app.add_option("REFERENCE", command_line.references, "segmentations to compare it with")->required()->type_name("");
+  app
+    .add_option("REFERENCE", command_line.references,
+                "segmentations to compare it with, or folders of such")
+    ->required()
+    ->type_name("");
   app
     .add_option("--json", command_line.json,
                 "write JSON into FILE, or to the standard output, in place of the table")
@@ -178,15 +224,19 @@ void add_options(CLI::App& app, Command_line& command_line)
     ->default_str("-")
     ->type_name("[=FILE]")
     ->group("Output");
-  tool::complete_help(app, "[OPTION...] MESH SEGMENTATION REFERENCE...", "Input",
-                      {{"evaluate_segmentation horse.obj mine.seg a.seg b.seg", "a table with a row for each reference"},
-                       {"evaluate_segmentation horse.obj mine.seg a.seg --json=scores.json", "the same as JSON"}});
+  tool::complete_help(
+    app, "[OPTION...] MESH SEGMENTATION REFERENCE...", "Input",
+    {{"evaluate_segmentation horse.obj mine.seg a.seg b.seg", "a table with a row for each reference"},
+     {"evaluate_segmentation 1.off mine.seg MeshsegBenchmark-1.0/data/seg/Benchmark/1",
+      "all references of the benchmark"},
+     {"evaluate_segmentation horse.obj mine.seg a.seg --json=scores.json", "the same as JSON"}});
 }
 
 int main(int argc, char** argv)
 {
   Command_line command_line;
-  CLI::App app("Scores a segmentation of a mesh against reference segmentations.", "evaluate_segmentation");
+  CLI::App app("Scores a segmentation of a mesh against reference segmentations.",
+               "evaluate_segmentation");
   add_options(app, command_line);
   return tool::main(app, argc, argv, [&]() { evaluate(command_line); });
 }

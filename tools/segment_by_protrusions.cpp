@@ -7,6 +7,7 @@
 // Splits a surface mesh into a body and its protrusions, or many meshes, and writes the segments.
 
 #include "collection/segment_collection.h"
+#include "command_line/Error.h"
 #include "command_line/Progress_bar.h"
 #include "command_line/read_tips.h"
 #include "command_line/segment_options.h"
@@ -19,8 +20,14 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <iostream>
 #include <string>
+#include <system_error>
+#include <vector>
 
 namespace {
 
@@ -71,6 +78,46 @@ void print_summary(const tool::Command_line& command_line, const tool::Findings&
       std::cout << "wrote " << name << "\n";
 }
 
+// The name of a picked tip whose protrusion was not found is not that of the body.
+bool is_tip_in_body(const tool::Findings& findings, std::size_t face, std::size_t segment)
+{
+  if (!findings.options.tips)
+    return false;
+  const auto& tips = *findings.options.tips;
+  const auto& protrusions = findings.segmentation.record.protrusions();
+  return std::find(tips.begin(), tips.end(), face) != tips.end() &&
+         std::none_of(protrusions.begin(), protrusions.end(),
+                      [&](const tool::Protrusion& protrusion) { return protrusion.segment == segment; });
+}
+
+void name_segments(tool::Findings& findings, const std::string& file)
+{
+  findings.names.resize(findings.segmentation.number_of_segments);
+  const std::vector<std::size_t> segment_of_face = tool::spread(findings.segmentation.segment_ids,
+                                                                findings.mesh);
+  for (const tool::Named_segment& named : tool::read_names(file))
+  {
+    if (named.face && *named.face >= segment_of_face.size())
+      throw tool::Error(file, "names the segment of face " + std::to_string(*named.face) +
+                                ", but there are " + std::to_string(segment_of_face.size()) + " faces");
+    const std::size_t segment = named.face ? segment_of_face[*named.face] : *named.segment;
+    if (segment >= findings.names.size())
+      throw tool::Error(file, "names segment " + std::to_string(segment) + ", but there are " +
+                                std::to_string(findings.names.size()));
+    if (!named.face || !is_tip_in_body(findings, *named.face, segment))
+      findings.names[segment] = named.name;
+  }
+}
+
+// To read it takes so long that it is told at once.
+bool is_large(const std::string& file)
+{
+  constexpr std::uintmax_t large = 30000000; // bytes
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return !error && size > large;
+}
+
 void segment_one(const tool::Command_line& command_line)
 {
   tool::Output_names names = {command_line.outputs, command_line.report, command_line.json,
@@ -81,14 +128,24 @@ void segment_one(const tool::Command_line& command_line)
   if (!command_line.tips.empty())
     options.tips = tool::read_tips(command_line.tips);
   tool::check_can_be_written(names);
-  tool::Progress_bar bar(!command_line.is_quiet && tool::is_standard_error_a_terminal());
-  tool::Findings findings = tool::segment_file(
-    command_line.inputs.front(), options,
-    [&](double share, const std::string& stage, std::size_t protrusions)
-    { bar.show(share, std::to_string(protrusions) + " protrusions  " + stage); },
-    [&](const std::string& warning) { tell(command_line, warning); });
+  tool::Progress_bar bar(!command_line.is_quiet && tool::is_standard_error_a_terminal(),
+                         is_large(command_line.inputs.front()) ? std::chrono::seconds(0)
+                                                               : std::chrono::seconds(2));
+  const auto show = [&](double share, const std::string& stage, std::size_t protrusions)
+  {
+    bar.show(share, (protrusions == 0   ? ""
+                     : protrusions == 1 ? "1 protrusion  "
+                                        : std::to_string(protrusions) + " protrusions  ") +
+                      stage);
+  };
+  tool::Findings findings = tool::segment_file(command_line.inputs.front(), options, show,
+                                               [&](const std::string& warning)
+                                               { tell(command_line, warning); });
+  if (const std::string& file = command_line.names.empty() ? command_line.tips : command_line.names;
+      !file.empty())
+    name_segments(findings, file);
+  tool::write_findings(findings, names, show);
   bar.clear();
-  tool::write_findings(findings, names);
   if (!command_line.is_quiet)
     print_summary(command_line, findings);
   else if (const std::string note = tool::note_on_missing_segments(findings); !note.empty())

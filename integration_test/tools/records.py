@@ -66,21 +66,20 @@ def problems_with_borders(record):
 
 def segments_within(record, segment):
     """The segment, and those that were cut off it."""
-    result = {segment}
-    for protrusion in record["protrusions"]:  # parents come first
-        if protrusion["parent"] in result:
-            result.add(protrusion["segment"])
-    return result
+    result = [segment]
+    for found in result:
+        result += [p["segment"] for p in record["protrusions"] if p["parent"] == found]
+    return set(result)
 
 
 def problems_with_confidence(record):
     for measure in record["measures"]:
         values = [protrusion["value"] if record["method"] == "paper" else protrusion["probability"]
                   for protrusion in record["protrusions"]
-                  if measure["segment"] in (protrusion["segment"], protrusion["parent"])]
+                  if measure["segment"] in (protrusion["segment"], protrusion["parent"]) and not record["labels"]]
         if measure["confidence"] != min(values, default=None):
             yield (f"the confidence of segment {measure['segment']} is not the least of "
                    "its borders")
     for protrusion in record["protrusions"]:
-        if (protrusion["probability"] is None) != (record["method"] == "paper"):
+        if (protrusion["probability"] is None) != (record["method"] != "minimum-cut"):
             yield "only minimum-cut estimates probabilities"

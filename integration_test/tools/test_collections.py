@@ -10,7 +10,7 @@ import time
 
 import pytest
 
-from mesh_files import labels
+from mesh_files import labels, volume_of_closed
 from records import read_record
 from tool import names_in, obey_permissions
 
@@ -182,3 +182,32 @@ def test_folder_that_cannot_be_read(segment, tetrahedron, tmp_path):
                         preexec_fn=obey_permissions)
     finally:
         shut.chmod(0o700)
+
+
+def test_closed_parts_and_pages(segment, example_meshes, tmp_path, libraries):
+    folder = tmp_path / "meshes"
+    folder.mkdir()
+    shutil.copy(example_meshes / "teddy.off", folder / "a%d.off")
+    page = ["--format", "html"] if "three.js" in libraries else []
+    call = ["meshes", *"--output-folder out -k 3 --format seg --format off --close".split(), *page]
+    segment(*call)
+    names = ["a%d", "a%d.json", "a%d.seg"] + [f"a%d/{i}.off" for i in range(3)] + ["a%d.html"] * bool(page)
+    assert names_in(tmp_path / "out") == sorted(names)
+    record = read_record(tmp_path / "out/a%d.json")
+    assert record["caps"] == "flat"
+    assert volume_of_closed([tmp_path / f"out/a%d/{i}.off" for i in range(3)]) == \
+        pytest.approx(volume_of_closed([folder / "a%d.off"]))
+    assert "0 segmented, 1 already there" in segment(*call).out
+    assert "1 segmented, 0 already there" in segment(*call[:-len(page) - 1], "--close=faired", *page).out
+    (tmp_path / "out/a%d/0.off").unlink()
+    assert "1 segmented, 0 already there" in segment(*call[:-len(page) - 1], "--close=faired", *page).out
+
+
+@pytest.mark.parametrize("options, message", [
+    ("--close", "--close has no meaning without"),
+    ("--close --format seg", "--close has no meaning without"),
+    ("--report a.html", "--format html writes a page for each mesh"),
+    ("--format txt", "'txt' is none of"),
+])
+def test_wrong_formats(segment, meshes, options, message):
+    segment.refuses("meshes", "--output-folder", "out", *options.split(), code=2, message=message)

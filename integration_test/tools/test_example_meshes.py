@@ -43,3 +43,18 @@ def test_formats(make_mesh, segment, tmp_path, extension):
     (tmp_path / f"full.{extension}").symlink_to("/dev/full")
     make_mesh.refuses("chair", f"full.{extension}", "--faces", 1000,
                       message=f"full.{extension}: cannot be written")
+
+
+@pytest.mark.parametrize("shape, number, children", [
+    ("octopus", 9, [8]),  # no arm sticks out of another one, though they touch
+    ("teddy", 8, [2, 5]),  # the ears stick out of the head
+    ("hand", 6, [5]),
+    ("horse", 8, [1, 6]),  # the head sticks out of the neck
+    ("chair", 7, [1, 5]),
+])
+def test_what_sticks_out_of_what(make_mesh, segment, shape, number, children):
+    make_mesh(shape, "a.off")
+    record = segment.record("a.off", "-k", number)
+    parents = [protrusion["parent"] for protrusion in record["protrusions"]]
+    assert sorted(parents.count(parent) for parent in set(parents)) == children
+    assert max(parents, key=parents.count) == 0

@@ -114,3 +114,13 @@ def test_padded_numbers_of_segments(segment, teddy, tmp_path):
 
 def test_smooth_borders_in_json(segment, teddy):
     assert segment.record(teddy, "-k", 5, "--smooth-borders")["smooth_borders"]
+
+
+def test_shortest_digits(segment, tmp_path):
+    """Coordinates are written as they were read."""
+    points = ["-0.601581618 0.1 1e-07", "12345678.9 0.3 0", "0 1 2.5", "1 1 1"]
+    (tmp_path / "small.off").write_text("\n".join(["OFF", "4 4 0", *points, "3 0 1 2", "3 0 3 1", "3 1 3 2", "3 0 2 3"]))
+    segment("small.off", *"-k 2 -o a.off -o a.obj -o a.vtp".split())
+    assert (tmp_path / "a.off").read_text().splitlines()[2:6] == points
+    assert (tmp_path / "a.obj").read_text().splitlines()[:4] == [f"v {point}" for point in points]
+    assert set(points) <= set((tmp_path / "a.vtp").read_text().splitlines())

@@ -5,6 +5,7 @@
 
 import pytest
 
+from mesh_files import labels
 from tool import names_in
 
 
@@ -101,3 +102,31 @@ def test_squares_of_areas_beyond_double(segment, tmp_path, unit, area):
     (tmp_path / "triangle.off").write_text(content)
     record = segment.record("triangle.off", "-o", "triangle.seg")
     assert record["measures"][0]["area"] == area
+
+
+@pytest.mark.parametrize("method", ["minimum-cut", "paper"])
+def test_number_of_a_hierarchy(segment, teddy, tmp_path, method):
+    """Each segmentation has one border less than the one before, and the finest is that of -k."""
+    record = segment.record(teddy, "-k", 7, "--method", method, "-o", "7.seg")
+    finest = labels(tmp_path / "7.seg")
+    for number in range(7, 0, -1):
+        joined = segment.record(teddy, "-k", number, "--of", 7, "--method", method, "-o", "a.seg")
+        found = labels(tmp_path / "a.seg")
+        assert (joined["segments"], joined["segments_requested"], joined["hierarchy_requested"]) == (number, number, 7)
+        assert joined["note"] is None
+        assert len(set(zip(finest, found))) == 7  # they are nested
+        assert [(p["segment"], p["tip"], p["area"]) for p in joined["protrusions"]] == \
+            [(p["segment"], p["tip"], p["area"]) for p in record["protrusions"]][:number - 1]
+        assert [measure["segment"] for measure in joined["measures"]] == list(range(number))
+
+
+def test_number_of_a_hierarchy_that_is_not_reached(segment, teddy):
+    record = segment.record(teddy, *"-k 600 --of 700".split())
+    assert record["segments"] < 600
+    assert "of 600 segments" in record["note"]
+
+
+def test_number_of_a_hierarchy_below_the_number_of_components(segment, data):
+    record = segment.record(data / "two_components.off", *"-k 1 --of 4".split())
+    assert record["segments"] == 2
+    assert "2 connected components" in record["note"]

@@ -5,9 +5,10 @@
 
 import json
 
+import numpy as np
 import pytest
 
-from mesh_files import labels
+from mesh_files import OffFile, labels
 from records import read_record
 from tool import names_in
 
@@ -45,3 +46,54 @@ def test_tips_that_cannot_be_read(segment, teddy, tmp_path, name, message):
     (tmp_path / "folder").mkdir()
     segment.refuses(teddy, "--tips", name, "-o", "a.seg", message=message)
     assert names_in(tmp_path) == ["folder", "teddy.off"]
+
+
+@pytest.mark.parametrize("shape, faces", [("teddy", 3000), ("octopus", 6000), ("horse", 4000), ("chair", 4000)])
+def test_tips_of_a_result_give_the_result(segment, make_mesh, tmp_path, shape, faces):
+    make_mesh(shape, "a.off", "--faces", faces)
+    record = segment.record("a.off", "-o", "a.seg")
+    tips = [protrusion["tip"] for protrusion in record["protrusions"]]
+    (tmp_path / "tips.json").write_text(json.dumps({"tips": tips[::-1]}))
+    assert segment.record("a.off", "--tips", "tips.json", "-o", "b.seg")["note"] is None
+    assert labels(tmp_path / "b.seg") == labels(tmp_path / "a.seg")
+
+
+@pytest.mark.parametrize("number", [4, 5, 6])
+def test_a_further_tip_keeps_the_other_protrusions(segment, make_mesh, tmp_path, number):
+    """The thumb of a hand, where it is in the body."""
+    make_mesh("hand", "a.off", "--faces", 8000)
+    hand = OffFile(tmp_path / "a.off")
+    thumb = int(np.linalg.norm(hand.points[np.array(hand.faces)].mean(axis=1) - [0.3, 1.95, 1.65], axis=1).argmin())
+    found = segment.record("a.off", "-k", number, "-o", "a.seg")
+    before = np.array(labels(tmp_path / "a.seg"))
+    if before[thumb] != 0:
+        pytest.skip("the thumb is found")
+    tips = [thumb] + [protrusion["tip"] for protrusion in found["protrusions"]]
+    (tmp_path / "tips.json").write_text(json.dumps({"tips": tips}))
+    assert segment.record("a.off", "--tips", "tips.json", "-o", "b.seg")["note"] is None
+    after = np.array(labels(tmp_path / "b.seg"))
+    assert len(set(after)) == number + 1
+    for protrusion in found["protrusions"]:
+        old, new = before == protrusion["segment"], after == after[protrusion["tip"]]
+        assert np.count_nonzero(old != new) < 0.05 * np.count_nonzero(old)
+
+
+def test_tip_without_a_border(segment, make_mesh, tmp_path):
+    """Two tips of one arm that share no vertex."""
+    make_mesh("octopus", "a.off", "--faces", 4000)
+    record = segment.record("a.off", "-k", 9, "-o", "a.seg")
+    first = record["protrusions"][0]
+    same = [face for face, segment in enumerate(labels(tmp_path / "a.seg")) if segment == first["segment"]]
+    (tmp_path / "tips.json").write_text(json.dumps({"tips": [first["tip"], same[0], same[1]]}))
+    result = segment("a.off", "--tips", "tips.json")
+    assert "found no border for the tip" in result.err
+
+
+def test_names_of_tips(segment, teddy, tmp_path):
+    record = segment.record(teddy, "-k", 8)
+    tips = [protrusion["tip"] for protrusion in record["protrusions"]]
+    names = [{"face": tip, "name": f"part {i}"} for i, tip in enumerate(tips)]
+    (tmp_path / "tips.json").write_text(json.dumps({"tips": tips, "names": names}))
+    found = segment.record(teddy, "--tips", "tips.json", "-o", "parts/%s.off")
+    assert [measure["name"] for measure in found["measures"]][1:] == [f"part {i}" for i in range(7)]
+    assert names_in(tmp_path / "parts") == [f"part_{i}.off" for i in range(7)] + ["segment_0.off"]

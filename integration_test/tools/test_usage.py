@@ -11,8 +11,8 @@ from tool import names_in
 
 OPTIONS = {
     "segment_by_protrusions":
-        "--help --version --segments --method --distance --landmarks --eigenpairs --time --seed "
-        "--threads --smooth-borders --tips --output --close --borders --json --report --quiet "
+        "--help --version --segments --of --method --distance --landmarks --eigenpairs --time --seed "
+        "--threads --smooth-borders --tips --labels --names --output --close --borders --json --report --quiet "
         "--output-folder --format --jobs --again",
     "evaluate_segmentation": "--help --json",
     "make_example_mesh": "--help --faces",
@@ -35,6 +35,9 @@ MEANINGLESS = """
     -k 3 --tips out.json | -o out.seg -o out.seg | -o out.seg --json out.seg
     --json out.html --report out.html | -o
     --jobs 2 | --format ply | --again
+    --of 3 | -k 3 --of 2 | -k 3 --of 0 | --tips a.json --of 3
+    --labels a.seg -k 3 | --labels a.seg --tips a.json | --labels a.seg --seed 1 | --labels a.seg --method paper
+    -o %s.obj -o a.obj | -o %s.obj -o %d.obj | -o a%s.obj -o ab%s.obj | -o %s%d.obj | -o %s.seg
 """
 
 

@@ -69,7 +69,7 @@ def segment(
     -------
     (m,) array of integers
         The segment of every face, from 0 on. The first segments are the bodies, one for each connected component; the
-        others are protrusions, in the order in which their borders were chosen. There may be fewer segments than
+        others are protrusions, those that `hierarchy()` joins first last. There may be fewer segments than
         asked for if no more borders are found, and there are as many as components at least.
 
     Raises

@@ -98,6 +98,33 @@ void arms_stick_out_of_the_ball(std::size_t arms)
   CHECK_CLOSE(segments.areas_beyond()[0], 1, 1e-6);
 }
 
+// Of an octopus, whose arms begin side by side, every arm sticks out of the head.
+void arms_that_touch_stick_out_of_the_head()
+{
+  constexpr std::size_t arms = 8;
+  std::vector<Stick> sticks = {{{0, 0, 0.2}, {0, 0, 1.5}, 0.6, 0.8, 0}};
+  for (std::size_t i = 0; i < arms; ++i)
+  {
+    const double turn = 2 * CGAL_PI * double(i) / arms, reach = 3 + 0.1 * double(i);
+    const Point along = {std::cos(turn), std::sin(turn), 0};
+    sticks.push_back({0.3 * along, reach * along + Point{0, 0, -0.5}, 0.38, 0.15, 1 + i});
+  }
+  Component_of_mesh of_mesh(implicit_mesh(Implicit_body(sticks, 0.03), 0.12));
+  CHECK(segments_of(of_mesh, arms + 1).parents() == std::vector<Index>(arms + 1, 0));
+}
+
+// Of a ball with two arms, palms and three fingers each.
+void fingers_stick_out_of_their_palms()
+{
+  Component_of_mesh of_mesh(body_with_hands(3));
+  const std::vector<Index> parents = segments_of(of_mesh, 11).parents();
+  std::vector<std::ptrdiff_t> children;
+  for (Index s = 0; s < parents.size(); ++s)
+    children.push_back(std::count(parents.begin(), parents.end(), s));
+  std::sort(children.begin(), children.end());
+  CHECK(children == (std::vector<std::ptrdiff_t>{0, 0, 0, 0, 0, 0, 1, 1, 3, 3, 3})); // the body is its own parent
+}
+
 int main()
 {
   for (const bool moves_borders : {true, false})
@@ -107,5 +134,7 @@ int main()
   borders_may_stay_on_nodes(creature(), 6);
   for (const std::size_t arms : {3, 6})
     arms_stick_out_of_the_ball(arms);
+  arms_that_touch_stick_out_of_the_head();
+  fingers_stick_out_of_their_palms();
   return check::result();
 }

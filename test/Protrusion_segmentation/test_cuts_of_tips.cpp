@@ -98,10 +98,62 @@ void any_faces_may_be_tips(const Test_mesh& mesh)
   }
 }
 
+std::vector<Index> tips_of(const internal::Component& component,
+                           const Cut_set& set,
+                           const Component_of_mesh& of_mesh)
+{
+  const internal::Component_segments segments(component.graphs(), component.memo(), set, of_mesh.options,
+                                              quiet_execution());
+  std::vector<Index> tips;
+  for (const auto& protrusion :
+       internal::Protrusion_describer(of_mesh.surface, component.graphs(), segments, false)())
+    tips.push_back(protrusion.tip);
+  return tips;
+}
+
+// The tips of the best segmentation into any number of segments give that, in any order.
+void tips_of_a_result_give_the_result(const Test_mesh& mesh, std::size_t largest_number)
+{
+  Component_of_mesh of_mesh(mesh);
+  for (std::size_t number = 1; number <= largest_number && of_mesh.component.best(number); ++number)
+  {
+    const Cut_set set = *of_mesh.component.best(number);
+    std::vector<Index> tips = tips_of(of_mesh.component, set, of_mesh);
+    std::reverse(tips.begin(), tips.end());
+    CHECK(of_mesh.component.cuts_of_tips(tips).segments == set.segments);
+  }
+}
+
+// A tip that is added to those of a result leaves their protrusions as they are, but for what the new one is cut from.
+void a_further_tip_adds_a_protrusion()
+{
+  const Test_mesh mesh = star(5);
+  Component_of_mesh of_mesh(mesh);
+  const Cut_set set = *of_mesh.component.best(4); // three arms
+  std::vector<Index> tips = tips_of(of_mesh.component, set, of_mesh);
+  const std::vector<Index> labels = labels_of_faces(of_mesh.component, set);
+  for (const Index tip : tips_of_parts(mesh))
+    if (std::none_of(tips.begin(), tips.end(), [&](Index t) { return labels[t] == labels[tip]; }))
+    {
+      tips.insert(tips.begin(), tip);
+      break;
+    }
+  CHECK_EQUAL(tips.size(), 4u);
+  const Cut_set larger = of_mesh.component.cuts_of_tips(tips);
+  CHECK_EQUAL(larger.segments.size(), 5u);
+  CHECK(std::count_if(set.segments.begin(), set.segments.end(),
+                      [&](Index s) {
+                        return std::count(larger.segments.begin(), larger.segments.end(), s) > 0;
+                      }) == 3);
+}
+
 int main()
 {
   for (const std::size_t arms : {1, 4})
     arms_are_cut_off(star(arms));
+  tips_of_a_result_give_the_result(star(6), 9);
+  tips_of_a_result_give_the_result(creature(), 9);
+  a_further_tip_adds_a_protrusion();
   for (const Test_mesh& mesh : {creature(), icosphere(3), torus(), tetrahedron(), sheet(20, 30)})
     any_faces_may_be_tips(mesh);
   return check::result();

@@ -74,9 +74,11 @@ class Collection
 public:
   explicit Collection(const Command_line& command_line)
     : m_command_line(command_line),
+      m_options(command_line.options),
       m_meshes(list_meshes(command_line.inputs, command_line.output_folder)),
       m_teller(m_meshes.size(), command_line.is_quiet)
   {
+    m_options.caps = command_line.caps;
     for (const Mesh_in_collection& mesh : m_meshes)
       m_inputs.insert(place_of_file(mesh.input));
     check_outputs();
@@ -149,6 +151,19 @@ private:
     return fs::path(m_command_line.output_folder) / (mesh.name + "." + extension);
   }
 
+  fs::path folder_of_parts(const Mesh_in_collection& mesh) const
+  {
+    return fs::path(m_command_line.output_folder) / mesh.name;
+  }
+
+  // What was written in a format, or the first part of it.
+  fs::path output(const Mesh_in_collection& mesh, const std::string& format) const
+  {
+    return m_options.caps.empty() || format == "html" || !holds_a_mesh("mesh." + format)
+             ? path(mesh, format)
+             : folder_of_parts(mesh) / ("0." + format);
+  }
+
   // What is there of the mesh in formats that its record does not go with, and could pass for segments that it tells of.
   // Nothing of it is removed: who knows whose it is?
   std::string note_on_other_files(const Mesh_in_collection& mesh, const std::vector<std::string>& formats) const
@@ -172,12 +187,19 @@ private:
   {
     try
     {
-      Findings findings = segment_file(mesh.input, m_command_line.options, {},
-                                       [](const std::string&) {});
+      Findings findings = segment_file(mesh.input, m_options, {}, [](const std::string&) {});
       findings.formats = m_command_line.formats;
       Output_names names;
       for (const std::string& format : m_command_line.formats)
-        names.segments.push_back(path(mesh, format).string());
+        if (format == "html")
+          names.report = path(mesh, format).string();
+        else
+          names.segments.push_back(path(mesh, format).string());
+      if (!m_options.caps.empty())
+      {
+        names.caps = m_options.caps == "flat" ? Caps::FLAT : Caps::FAIRED;
+        names.folder_of_parts = folder_of_parts(mesh).string();
+      }
       names.json = path(mesh, "json").string();
       names.have_numbers = false;
       write_findings(findings, names);
@@ -246,11 +268,11 @@ private:
       return false;
     const std::vector<std::string> formats = formats_in(record);
     for (const std::string& format : m_command_line.formats)
-      if (std::find(formats.begin(), formats.end(), format) == formats.end() || !fs::exists(path(mesh, format), error))
+      if (std::find(formats.begin(), formats.end(), format) == formats.end() || !fs::exists(output(mesh, format), error))
         return false;
     if (record.value("format_version", 0) != json_format_version || record.contains("error"))
       return false;
-    const Json options = describe(m_command_line.options);
+    const Json options = describe(m_options);
     for (const auto& [key, value] : options.items())
       if (!record.contains(key) || record[key] != value)
         return false;
@@ -287,6 +309,7 @@ private:
   }
 
   const Command_line& m_command_line;
+  Segmentation_options m_options;
   std::vector<Mesh_in_collection> m_meshes;
   std::set<fs::path> m_inputs; // their places
   Teller m_teller;

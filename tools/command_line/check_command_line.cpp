@@ -68,13 +68,33 @@ void check_collection(const CLI::App& app, const Command_line& command_line)
     return refuse({"--format", "--jobs", "--again"}, " has no meaning without --output-folder");
   if (command_line.output_folder.empty())
     throw std::invalid_argument("several meshes or a folder of meshes need --output-folder");
-  refuse({"--output", "--json", "--report", "--borders", "--tips"},
+  refuse({"--report"}, " has no meaning with --output-folder; --format html writes a page for each mesh");
+  refuse({"--output", "--json", "--borders", "--tips", "--labels", "--names"},
          " has no meaning with --output-folder");
   for (const std::string& format : command_line.formats)
-    check_output_format(format);
+    if (format != "html")
+      check_output_format(format);
+    else if (!can_write_report())
+      throw std::invalid_argument("--format html: three.js was not found when this program was built");
   for (const std::string& input : command_line.inputs)
     if (input == "-")
       throw std::invalid_argument("the standard input is one mesh, which needs no --output-folder");
+}
+
+void check_hierarchy(const Segmentation_options& options)
+{
+  if (options.hierarchy && *options.hierarchy < *options.number_of_segments)
+    throw std::invalid_argument("--of: '" + std::to_string(*options.hierarchy) + "' is less than the " +
+                                std::to_string(*options.number_of_segments) + " segments of -k");
+}
+
+// What belongs to finding segments, beside segments that are given.
+void check_labels(const CLI::App& app, const Command_line& command_line)
+{
+  if (!command_line.options.labels.empty())
+    for (const char* option : {"--method", "--distance", "--seed", "--threads"})
+      if (app.count(option) > 0)
+        throw std::invalid_argument(std::string(option) + " has no meaning with --labels");
 }
 
 void check_outputs(const Command_line& command_line)
@@ -82,8 +102,14 @@ void check_outputs(const Command_line& command_line)
   const std::vector<std::string>& outputs = command_line.outputs;
   for (const std::string& name : outputs)
     check_output_name(name);
-  if (!command_line.caps.empty() && std::none_of(outputs.begin(), outputs.end(), is_pattern))
-    throw std::invalid_argument("--close has no meaning without a %d in the name of an output");
+  const std::vector<std::string>& formats = command_line.formats; // of a collection
+  if (!command_line.caps.empty() && std::none_of(outputs.begin(), outputs.end(), is_pattern) &&
+      std::none_of(formats.begin(), formats.end(),
+                   [](const std::string& format)
+                   { return format != "html" && holds_a_mesh("mesh." + format); }))
+    throw std::invalid_argument(
+      "--close has no meaning without a %d or %s in the name of an output, or --format "
+      "with a format of meshes");
   if (!command_line.borders.empty() && lower_case_extension(command_line.borders) != ".vtp")
     throw std::invalid_argument("--borders: '" + command_line.borders + "' has not the extension .vtp");
 }
@@ -102,13 +128,15 @@ void check_names(const Command_line& command_line)
   for (const std::string& name : {command_line.json, command_line.report, command_line.borders})
     if (!name.empty())
       names.push_back(name);
-  for (const std::string& name : {command_line.inputs.front(), command_line.tips})
-    if (!name.empty() && name != "-") // which may be an output besides
-      names.push_back(name);
-
-  if (command_line.inputs.front() == "-" && command_line.tips == "-")
+  const std::vector<std::string> inputs = {command_line.inputs.front(), command_line.tips,
+                                           command_line.options.labels, command_line.names};
+  if (std::count(inputs.begin(), inputs.end(), "-") > 1)
     throw std::invalid_argument("'-' is named twice");
-  std::set<std::string> places;
+  std::set<std::string> read, places;
+  for (const std::string& name : inputs)
+    if (!name.empty() && name != "-" &&
+        read.insert(place_of(name)).second) // "-" may be an output besides
+      names.push_back(name);
   for (const std::string& name : names)
     if (!places.insert(place_of(name)).second)
       throw std::invalid_argument("'" + name + "' is named twice");
@@ -136,6 +164,8 @@ void check(const CLI::App& app, const Command_line& command_line)
     check_options(command_line.options);
     check_inputs(command_line);
     check_collection(app, command_line);
+    check_labels(app, command_line);
+    check_hierarchy(command_line.options);
     check_outputs(command_line);
     check_names(command_line);
     if (!command_line.report.empty() && !can_write_report())

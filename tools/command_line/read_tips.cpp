@@ -9,27 +9,61 @@
 
 #include <nlohmann/json.hpp>
 
+#include <utility>
+
 namespace tool
 {
 
-std::vector<std::size_t> read_tips(const std::string& file)
+namespace
 {
-  using Json = nlohmann::json;
+
+using Json = nlohmann::ordered_json;
+
+Json read_object(const std::string& file)
+{
   const Json content = Json::parse(read_bytes(file), nullptr, false);
   if (content.is_discarded())
     throw Error(file, "is no JSON");
-  if (!content.is_object() || !content.contains("tips") || !content["tips"].is_array())
+  return content.is_object() ? content : Json::object();
+}
+
+} // namespace
+
+std::vector<std::size_t> read_tips(const std::string& file)
+{
+  const Json list = read_object(file).value("tips", Json());
+  if (!list.is_array())
     throw Error(file, "has no array of tips, as in {\"tips\": [12, 345]}");
-  if (content["tips"].empty())
+  if (list.empty())
     throw Error(file, "has no tips in it");
   std::vector<std::size_t> tips;
-  for (const Json& tip : content["tips"])
+  for (const Json& tip : list)
   {
     if (!tip.is_number_unsigned())
       throw Error(file, "has a tip that is no number of a face: " + tip.dump());
     tips.push_back(tip.get<std::size_t>());
   }
   return tips;
+}
+
+std::vector<Named_segment> read_names(const std::string& file)
+{
+  const Json list = read_object(file).value("names", Json::array());
+  if (!list.is_array())
+    throw Error(file, "has no array of names, as in {\"names\": [{\"face\": 12, \"name\": \"tail\"}]}");
+  std::vector<Named_segment> names;
+  for (const Json& entry : list)
+  {
+    Named_segment named;
+    for (const auto& [key, number] : {std::pair("face", &named.face), std::pair("segment", &named.segment)})
+      if (entry.is_object() && entry.contains(key) && entry[key].is_number_unsigned())
+        *number = entry[key].get<std::size_t>();
+    if (!(named.face || named.segment) || !entry.contains("name") || !entry["name"].is_string())
+      throw Error(file, "has a name without text, face or segment: " + entry.dump());
+    named.name = entry["name"].get<std::string>();
+    names.push_back(named);
+  }
+  return names;
 }
 
 } // namespace tool

@@ -65,6 +65,15 @@ void add_segmentation_options(CLI::App& app, Command_line& command_line)
     ->type_name("N")
     ->group(group);
   app
+    .add_option("--of", options.hierarchy,
+                "with -k N: the N nested segments that the page of --report shows for N of M. -k N alone "
+                "is the best "
+                "segmentation into N, and may differ.")
+    ->transform(integer("number of segments", 1))
+    ->needs("--segments")
+    ->type_name("M")
+    ->group(group);
+  app
     .add_option(
       "--tips", command_line.tips,
       "cut off only the protrusions of these faces: {\"tips\": [12, 345]}, as the page of --report saves "
@@ -89,6 +98,23 @@ void add_segmentation_options(CLI::App& app, Command_line& command_line)
     ->check(CLI::Validator(problem_with_gap, ""))
     ->option_text("[=GAP]")
     ->excludes("--weld")
+    ->group(group);
+  app
+    .add_option(
+      "--labels", options.labels,
+      "take the segments from a file instead: .seg, .npy, or face data \"segment\" or \"label\" of a "
+      "PLY or VTP file, as of INPUT itself")
+    ->excludes("--segments")
+    ->excludes("--tips")
+    ->excludes("--join-pieces")
+    ->type_name("FILE")
+    ->group(group);
+  app
+    .add_option(
+      "--names", command_line.names,
+      "names of segments for groups, nodes and %s: {\"names\": [{\"face\": 12, \"name\": \"tail\"}]}, "
+      "as the page of --report saves them. Those in the file of --tips need no --names.")
+    ->type_name("FILE")
     ->group(group);
   app.add_option("--method", options.method, help("how borders are found", methods()))
     ->check(CLI::IsMember(names(methods())).description(""))
@@ -145,8 +171,9 @@ void add_options_of_distances(CLI::App& app, Segmentation_options& options)
 void add_options_of_meshes(CLI::App& app, Command_line& command_line, const char* group)
 {
   std::string outputs =
-    "write the segments; may be repeated. With %d or %03d in the name, a mesh is written for each "
-    "segment, in a folder that is made if needed. - is the standard output, in SEG. The extension "
+    "write the segments; may be repeated. With %d, %03d or %s in the name, a mesh is written for each "
+    "segment, by its number or its name, in a folder that is made if needed. - is the standard output, "
+    "in SEG. The extension "
     "tells the format:";
   for (const std::string& format : output_formats())
     outputs += "\n" + format;
@@ -155,11 +182,12 @@ void add_options_of_meshes(CLI::App& app, Command_line& command_line, const char
     ->type_name("FILE")
     ->group(group);
   app
-    .add_flag(
-      "--close{flat}", command_line.caps,
-      "close the meshes of -o with %d where they were cut off. If the input is closed, so are they.\n"
-      "flat: caps that two meshes share; volumes add up to that of the input (the default)\n"
-      "faired: rounded caps, separate for each mesh; slow for long rims")
+    .add_flag("--close{flat}", command_line.caps,
+              "close the meshes of -o with %d or %s, or of --format, where they were cut off. If the "
+              "input is closed, so "
+              "are they.\n"
+              "flat: caps that two meshes share; volumes add up to that of the input (the default)\n"
+              "faired: rounded caps, separate for each mesh; slow for long rims")
     ->check(CLI::IsMember({"flat", "faired"}).description(""))
     ->option_text("[=CAPS]")
     ->group(group);
@@ -209,8 +237,10 @@ void add_collection_options(CLI::App& app, Command_line& command_line)
     ->type_name("FOLDER")
     ->group(group);
   app
-    .add_option("--format", command_line.formats,
-                "format of the segments (default: seg); may be repeated")
+    .add_option(
+      "--format", command_line.formats,
+      "format of the segments (default: seg), or html, a page as of --report; may be repeated. With "
+      "--close, meshes become a folder of closed parts each.")
     ->allow_extra_args(false)
     ->type_name("EXTENSION")
     ->group(group);
@@ -230,6 +260,8 @@ void add_help(CLI::App& app)
      {"segment_by_protrusions horse.obj -k 7 --report horse.html",
       "seven segments, a page for the browser"},
      {"segment_by_protrusions horse.obj -o 'parts/%d.obj' --close", "a closed mesh of each segment"},
+     {"segment_by_protrusions horse.obj --labels a.seg --names a.json -o 'parts/%s.obj' --close",
+      "closed meshes of segments that were edited and named in the page"},
      {"segment_by_protrusions meshes --output-folder segments --jobs 2", "all meshes in a folder"}});
 }
 

@@ -29,6 +29,7 @@ struct Command_line
   std::string borders; // empty: none
   std::string tips;    // empty: none
   std::string joining; // of pieces: empty, "auto", or a gap
+  std::string names;   // empty: none
   std::string caps;    // empty: none; else "flat" or "faired"
   bool is_quiet = false;
 

@@ -13,6 +13,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tool
 {
@@ -28,6 +29,16 @@ Polygon_soup read_VTP(const std::string& bytes);
 #ifdef PROTRUSION_SEGMENTATION_HAS_3MF
 Polygon_soup read_3MF(const std::string& bytes);
 #endif
+
+// The labels of faces in face data of a name in `is_label()`.
+std::vector<double> read_PLY_labels(const std::string& bytes);
+#ifdef PROTRUSION_SEGMENTATION_HAS_VTK
+std::vector<double> read_VTP_labels(const std::string& bytes);
+#endif
+inline bool is_label(std::string_view name)
+{
+  return name == "segment" || name == "segments" || name == "label" || name == "labels";
+}
 
 // `rest` is what follows the header line of a binary file, which says what vertices carry.
 Polygon_soup read_binary_OFF(std::string_view rest, bool has_normals, bool has_colors);

@@ -159,6 +159,7 @@ public:
   }
 
   Polygon_soup take_soup() { return std::move(m_soup); }
+  std::vector<double> take_labels() { return std::move(m_labels); }
 
 private:
   bool has(const std::string& name) const
@@ -218,6 +219,8 @@ private:
       const double value = numbers.take(property.type);
       if (is_coordinate)
         point[std::size_t(property.name[0] - 'x')] = value;
+      else if (element.name == "face" && is_label(property.name))
+        m_labels.push_back(value);
     }
     else if (is_corners && element.name == "face")
       read_face(property, numbers);
@@ -260,6 +263,7 @@ private:
   Header m_header;
   Polygon_soup m_soup;
   Polygon m_face; // the last one
+  std::vector<double> m_labels;
 };
 
 } // namespace
@@ -267,6 +271,11 @@ private:
 Polygon_soup read_PLY(const std::string& bytes)
 {
   return PLY_reader(bytes).take_soup();
+}
+
+std::vector<double> read_PLY_labels(const std::string& bytes)
+{
+  return PLY_reader(bytes).take_labels();
 }
 
 } // namespace tool

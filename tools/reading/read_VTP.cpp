@@ -10,6 +10,7 @@
 #include "reading/Format_error.h"
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkInputStream.h>
 #include <vtkLogger.h>
@@ -18,6 +19,7 @@
 #include <vtkOutputWindow.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkXMLDataElement.h>
 #include <vtkXMLDataParser.h>
 #include <vtkXMLPolyDataReader.h>
@@ -27,6 +29,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace tool
 {
@@ -210,18 +213,36 @@ Polygon_soup soup_of(vtkPolyData& data)
   return soup;
 }
 
-} // namespace
-
-Polygon_soup read_VTP(const std::string& bytes)
+vtkSmartPointer<Reader> read(const std::string& bytes)
 {
   log_errors();
-  const vtkNew<Reader> reader;
+  auto reader = vtkSmartPointer<Reader>::New();
   reader->ReadFromInputStringOn();
   reader->SetInputString(bytes);
   reader->Update();
   if (!Error_log::error().empty())
     throw Format_error("is not a well-formed VTP file: " + first_line(Error_log::error()));
-  return soup_of(*reader->GetOutput());
+  return reader;
+}
+
+} // namespace
+
+Polygon_soup read_VTP(const std::string& bytes)
+{
+  return soup_of(*read(bytes)->GetOutput());
+}
+
+std::vector<double> read_VTP_labels(const std::string& bytes)
+{
+  const vtkSmartPointer<Reader> reader = read(bytes);
+  vtkPolyData& data = *reader->GetOutput();
+  vtkCellData& arrays = *data.GetCellData();
+  std::vector<double> labels;
+  for (int i = 0; i < arrays.GetNumberOfArrays() && labels.empty(); ++i)
+    if (vtkDataArray* array = arrays.GetArray(i); array != nullptr && array->GetName() != nullptr && is_label(array->GetName()))
+      for (vtkIdType cell = data.GetNumberOfVerts() + data.GetNumberOfLines(); cell < array->GetNumberOfTuples(); ++cell)
+        labels.push_back(array->GetComponent(cell, 0));
+  return labels;
 }
 
 } // namespace tool

@@ -89,7 +89,10 @@ Json describe_mesh(const Findings& findings)
     std::all_of(soup.polygons.begin(), soup.polygons.end(), [](const Polygon& p) { return p.size() == 3; });
   const std::size_t index_bytes = bytes_for(soup.points.size());
   const std::size_t segment_bytes = bytes_for(findings.segmentation.number_of_segments);
-  return {{"positions", base64(to_16_bits(positions_in_unit_ball(soup.points, bounding_ball(soup.points))))},
+  const Ball ball = bounding_ball(soup.points);
+  return {{"center", ball.center},
+          {"radius", ball.radius},
+          {"positions", base64(to_16_bits(positions_in_unit_ball(soup.points, ball)))},
           {"index_bytes", index_bytes},
           {"triangles", pack(triangles, index_bytes)},
           {"faces", are_faces_triangles ? Json(nullptr) : Json(base64(face_of_triangle))},

@@ -26,6 +26,7 @@ double default_diffusion_time();
 struct Segmentation_options
 {
   std::optional<std::size_t> number_of_segments; // unset: as many as there are protrusions
+  std::optional<std::size_t> hierarchy; // the number of segments of a hierarchy of which that many are taken
   std::string method = "minimum-cut"; // the package's own default
   std::string distance; // empty: that of the method
   std::string landmarks = "5%"; // a share of the faces, or a number of them
@@ -33,10 +34,12 @@ struct Segmentation_options
   double time = default_diffusion_time();
   unsigned int seed = 0;
   std::optional<std::vector<std::size_t>> tips; // faces of the file: only their protrusions are cut off
+  std::string labels; // a file with the segments; empty: they are to be found
   bool are_borders_smooth = false;
   bool are_pieces_joined = false;
   std::optional<double> gap; // up to which pieces are joined; unset: a share of the size
   std::optional<double> weld_distance; // up to which corners on borders are one; unset: as the numbers tell
+  std::string caps; // of a collection: what closes the parts, "flat" or "faired"; empty: there are none
   std::size_t threads = 1; // no matter for the result
 };
 
@@ -57,6 +60,7 @@ struct Findings
   double seconds_for_file = 0; // to read it and to make a surface of it
   Segmentation segmentation;
   std::optional<Smoothed_mesh> smoothed; // of the mesh, if that was asked for
+  std::vector<std::string> names; // of the segments, empty for those without; or none at all
   std::string note; // empty, or why there are not as many segments as were asked for
 
   std::vector<std::string> formats; // of the segments of a collection, which are known by their names alone

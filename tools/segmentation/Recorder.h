@@ -64,6 +64,21 @@ public:
     show();
   }
 
+  // In place of those that it was told of.
+  void set_protrusions(const std::vector<Protrusion>& protrusions)
+  {
+    Segmentation_record record;
+    for (const Face tip : tips())
+      record.on_tip(tip);
+    for (std::size_t i = 0; i < number_of_eliminated_tips(); ++i)
+      record.on_eliminated_tip(Face());
+    record.on_small_components(number_of_small_components());
+    record.on_distances(number_of_runs());
+    for (const Protrusion& protrusion : protrusions)
+      record.on_protrusion(protrusion);
+    Segmentation_record::operator=(record);
+  }
+
 private:
   using Clock = std::chrono::steady_clock;
 

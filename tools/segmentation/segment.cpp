@@ -18,7 +18,9 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -69,6 +71,8 @@ std::size_t segment_by(const Method& method, const Mesh& mesh, std::vector<std::
       tips.emplace_back(static_cast<Face::size_type>(tip));
     return CGAL::segmentation_from_protrusion_tips<Concurrency_tag>(mesh, tips, ids, method, np);
   }
+  if (options.hierarchy)
+    return CGAL::segmentation_via_protrusion_tips<Concurrency_tag>(mesh, ids, *options.hierarchy, method, np);
   return options.number_of_segments
              ? CGAL::segmentation_via_protrusion_tips<Concurrency_tag>(mesh, ids, *options.number_of_segments, method, np)
              : CGAL::segmentation_via_protrusion_tips<Concurrency_tag>(mesh, ids, method, np);
@@ -138,6 +142,35 @@ Segment make(const Segmentation_options& options)
   throw std::invalid_argument("there is no '" + options.method + "'");
 }
 
+// Gives the last protrusions back to their parents, as `CGAL::Protrusion_segmentation::Segment_hierarchy` does.
+void join_segments(Segmentation& segmentation, std::size_t number_of_segments)
+{
+  const std::vector<Protrusion> all = segmentation.record.protrusions();
+  const std::size_t number = (std::max)(number_of_segments, segmentation.number_of_segments - all.size());
+  if (number >= segmentation.number_of_segments)
+    return;
+  std::vector<std::size_t> parents(segmentation.number_of_segments);
+  for (const Protrusion& protrusion : all)
+    parents[protrusion.segment] = protrusion.parent;
+  const auto ancestor = [&](std::size_t s)
+  {
+    while (s >= number)
+      s = parents[s];
+    return s;
+  };
+  for (std::size_t& s : segmentation.segment_ids)
+    s = ancestor(s);
+  segmentation.number_of_segments = number;
+  std::vector<Protrusion> left;
+  for (Protrusion protrusion : all)
+    if (protrusion.segment < number)
+    {
+      protrusion.parent = ancestor(protrusion.parent);
+      left.push_back(protrusion);
+    }
+  segmentation.record.set_protrusions(left);
+}
+
 } // namespace
 
 std::size_t default_number_of_eigenpairs()
@@ -189,6 +222,8 @@ segment(const Mesh& mesh, const Segmentation_options& options, const Recorder::P
   const Segment run = make(options);
   const auto start = std::chrono::steady_clock::now();
   result.number_of_segments = run(mesh, result.segment_ids, options, result.record);
+  if (options.hierarchy)
+    join_segments(result, *options.number_of_segments);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -5,8 +5,11 @@
 #include "segmentation/segment_file.h"
 
 #include "command_line/Error.h"
+#include "reading/lower_case_extension.h"
+#include "reading/read_labels.h"
 #include "reading/read_mesh.h"
 #include "report/report.h"
+#include "segmentation/given_segmentation.h"
 #include "segmentation/segment.h"
 #include "segmentation/smooth_borders.h"
 #include "segmentation/touching_components.h"
@@ -27,6 +30,7 @@
 #include <numeric>
 #include <optional>
 #include <ostream>
+#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -39,6 +43,10 @@ namespace
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+
+// Shares of the progress: before it, the file is read, and behind it, borders are smoothed and files written.
+constexpr double begin_of_segmentation = 0.2;
+constexpr double end_of_segmentation = 0.8;
 
 // From there on a warning comes first: exact distances take minutes, and so does that many eigenpairs.
 constexpr std::size_t many_faces_for_exact_distances = 5000;
@@ -55,7 +63,7 @@ std::string note_on_number(const Segmentation_options& options, const Segmentati
   else if (found > wanted)
     note << "found " << found << " segments instead of " << wanted << ": each of the mesh's " << found
          << " connected components is at least one";
-  else if (found == 1 && !options.number_of_segments && !options.tips)
+  else if (found == 1 && !options.number_of_segments && !options.tips && options.labels.empty())
     note << "found no protrusion; -k N asks for a number of segments";
   return note.str();
 }
@@ -90,15 +98,17 @@ std::vector<Segmented_soup> make_closed_parts(const Findings& findings, Caps cap
   for (Polygon_soup& part : find_closed_parts(findings, caps))
   {
     const std::size_t number_of_faces = part.polygons.size();
-    parts.push_back({std::move(part), std::vector<std::size_t>(number_of_faces, parts.size()), {}});
+    parts.push_back({std::move(part), std::vector<std::size_t>(number_of_faces, parts.size()), {}, findings.names});
   }
   return parts;
 }
 
 // The mesh with smooth borders, in faces that know which of the file they are a piece of.
-Segmented_soup soup_of(const Smoothed_mesh& smoothed, const Input_mesh& input)
+Segmented_soup soup_of(const Findings& findings)
 {
+  const Smoothed_mesh& smoothed = *findings.smoothed;
   Segmented_soup result;
+  result.names = findings.names;
   for (const auto v : vertices(smoothed.mesh))
     result.soup.points.push_back(smoothed.mesh.point(v));
   for (const Face face : faces(smoothed.mesh))
@@ -106,7 +116,7 @@ Segmented_soup soup_of(const Smoothed_mesh& smoothed, const Input_mesh& input)
     result.soup.polygons.emplace_back();
     for (const auto v : vertices_around_face(smoothed.mesh.halfedge(face), smoothed.mesh))
       result.soup.polygons.back().push_back(std::size_t(v));
-    result.old_faces.push_back(input.face_in_file[smoothed.old_faces[face]]);
+    result.old_faces.push_back(findings.mesh.face_in_file[smoothed.old_faces[face]]);
   }
   result.segments = smoothed.segment_ids;
   return result;
@@ -128,12 +138,18 @@ std::optional<std::vector<std::size_t>> tips_on_mesh(const Findings& findings)
   return tips;
 }
 
+// A tip has a protrusion if it lies in one that no tip before it has.
 std::string note_on_tips(const Findings& findings)
 {
-  if (!findings.options.tips)
-    return "";
-  const std::size_t found = findings.segmentation.record.protrusions().size(), given = findings.options.tips->size();
-  return found < given ? "found protrusions for " + std::to_string(found) + " of " + std::to_string(given) + " tips" : "";
+  std::set<std::size_t> free;
+  for (const Protrusion& protrusion : findings.segmentation.record.protrusions())
+    free.insert(protrusion.segment);
+  std::string faces;
+  std::size_t number = 0;
+  for (const std::size_t tip : findings.options.tips.value_or(std::vector<std::size_t>()))
+    if (free.erase(findings.segmentation.segment_ids[findings.mesh.label_giver[tip]]) == 0)
+      faces += (number++ == 0 ? " " : ", ") + std::to_string(tip);
+  return number == 0 ? "" : "found no border for the " + std::string(number == 1 ? "tip at face" : "tips at faces") + faces;
 }
 
 std::string note_on_small_components(const Findings& findings)
@@ -175,6 +191,20 @@ std::string note_on_boundary(const Mesh& mesh)
                               (number == 1 ? " edge" : " edges") + " of its boundary";
 }
 
+// Of the files for an output, one for each segment; none if it is a single file.
+std::vector<std::string> part_names(const std::string& name, const Output_names& names, const Findings& findings)
+{
+  const std::size_t number = findings.segmentation.number_of_segments;
+  if (names.have_numbers)
+    return is_pattern(name) ? names_of_parts(name, number, findings.names) : std::vector<std::string>();
+  if (names.folder_of_parts.empty() || !holds_a_mesh(name))
+    return {};
+  std::vector<std::string> result = names_of_parts("%d" + lower_case_extension(name), number, {});
+  for (std::string& part : result)
+    part = names.folder_of_parts + "/" + part;
+  return result;
+}
+
 std::string join_notes(const std::string& first, const std::string& second)
 {
   return first + (first.empty() || second.empty() ? "" : "; ") + second;
@@ -191,20 +221,36 @@ Findings segment_file(const std::string& input,
   Findings findings;
   findings.input = input;
   findings.options = options;
+  const auto tell = [progress](double share, const std::string& stage, std::size_t protrusions)
+  {
+    if (progress)
+      progress(share, stage, protrusions);
+  };
+  tell(0, "reading the file", 0);
   findings.mesh = options.are_pieces_joined ? read_joined_pieces(input, options.gap)
                                             : read_input_mesh(input, options.weld_distance);
   findings.seconds_for_file = seconds_since(start);
   const std::size_t faces = findings.mesh.mesh.number_of_faces();
-  const std::size_t wanted = options.number_of_segments.value_or(0);
+  const std::size_t wanted = options.hierarchy.value_or(options.number_of_segments.value_or(0));
   if (wanted > faces)
     throw Error(input, "has " + std::to_string(faces) + " faces, too few for " + std::to_string(wanted) +
                          " segments");
   warn_of_time(findings, warn);
   Segmentation_options options_on_mesh = options;
   options_on_mesh.tips = tips_on_mesh(findings);
-  findings.segmentation = segment(findings.mesh.mesh, options_on_mesh, progress);
+  findings.segmentation = options.labels.empty()
+                            ? segment(findings.mesh.mesh, options_on_mesh,
+                                      [tell](double share, const std::string& stage, std::size_t protrusions)
+                                      {
+                                        tell(begin_of_segmentation + share * (end_of_segmentation - begin_of_segmentation),
+                                             stage, protrusions);
+                                      })
+                            : given_segmentation(findings.mesh.mesh, read_labels(options.labels, findings.mesh));
   if (options.are_borders_smooth)
+  {
+    tell(end_of_segmentation, "smoothing borders", findings.segmentation.record.protrusions().size());
     smooth(findings);
+  }
   for (const std::string& note :
        {describe_repairs(findings.mesh), note_on_small_components(findings), note_on_pieces(findings), note_on_number(options, findings.segmentation),
         note_on_tips(findings), note_on_borders(findings)})
@@ -222,33 +268,52 @@ void check_can_be_written(const Output_names& names)
       Output_files::check(name);
 }
 
-void write_findings(Findings& findings, const Output_names& names)
+void write_findings(Findings& findings, const Output_names& names, const Recorder::Progress& progress)
 {
   const Clock::time_point start = Clock::now();
+  std::size_t number_of_begun = 0;
+  const auto begin = [&](const std::string& name)
+  {
+    const double all = double(names.segments.size() + 3); // that of what may be written besides
+    if (progress)
+      progress(end_of_segmentation + (1 - end_of_segmentation) * double(number_of_begun++) / all, "writing " + name,
+               findings.segmentation.record.protrusions().size());
+  };
   Segmented_soup segmented = {std::move(findings.mesh.soup), // until the meshes are written: as large as they are
-                              labels_of_file(findings.segmentation.segment_ids, findings.mesh), {}};
+                              labels_of_file(findings.segmentation.segment_ids, findings.mesh), {}, findings.names};
   if (names.caps != Caps::NONE)
     findings.note = join_notes(findings.note, note_on_boundary(findings.mesh.mesh));
-  const Segmented_soup cut = findings.smoothed ? soup_of(*findings.smoothed, findings.mesh) : Segmented_soup();
+  const Segmented_soup cut = findings.smoothed ? soup_of(findings) : Segmented_soup();
   Output_files files;
   for (const std::string& name : names.segments)
   {
+    begin(name);
     const Segmented_soup& whole = findings.smoothed && holds_a_mesh(name) ? cut : segmented;
-    if (!names.have_numbers || !is_pattern(name))
+    const std::vector<std::string> parts = part_names(name, names, findings);
+    if (parts.empty())
       add_output(name, whole, files);
     else if (names.caps != Caps::NONE)
-      add_parts(name, make_closed_parts(findings, names.caps), files);
+      add_parts(parts, make_closed_parts(findings, names.caps), files);
     else
-      add_parts(name, parts_of(whole, findings.segmentation.number_of_segments), files);
+      add_parts(parts, parts_of(whole, findings.segmentation.number_of_segments), files);
   }
   findings.mesh.soup = std::move(segmented.soup);
   if (!names.report.empty())
+  {
+    begin(names.report);
     files.add(names.report, [&](std::ostream& out) { write_report(out, findings); });
+  }
   if (!names.borders.empty())
+  {
+    begin(names.borders);
     files.add(names.borders, [&](std::ostream& out) { write_borders(out, find_borders(findings)); });
+  }
   findings.seconds_for_writing = seconds_since(start); // the record, which tells of it, is not counted
   if (!names.json.empty())
+  {
+    begin(names.json);
     files.add(names.json, [&](std::ostream& out) { write_json(out, describe(findings)); });
+  }
   files.publish();
 }
 

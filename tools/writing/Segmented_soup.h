@@ -8,6 +8,7 @@
 #include "reading/Polygon_soup.h"
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace tool
@@ -19,6 +20,12 @@ struct Segmented_soup
   Polygon_soup soup;
   std::vector<std::size_t> segments; // of the faces
   std::vector<std::size_t> old_faces; // of the file, that the faces are pieces of; empty: the faces are those of the file
+  std::vector<std::string> names; // of the segments; empty for those without, and at all
+
+  std::string name_of(std::size_t segment) const
+  {
+    return segment < names.size() && !names[segment].empty() ? names[segment] : "segment " + std::to_string(segment);
+  }
 };
 
 } // namespace tool

@@ -4,6 +4,7 @@
 
 #include "writing/borders.h"
 
+#include "writing/shortest_digits.h"
 #include "writing/vtp.h"
 
 #include <CGAL/Protrusion_segmentation/segment_borders.h>
@@ -12,6 +13,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -28,10 +30,8 @@ void write_values(std::ostream& out, const std::string& name, const std::vector<
     for (const Border& border : borders)
     {
       const std::optional<double> x = value(border);
-      if (x)
-        out << *x << "\n";
-      else
-        out << "nan\n";
+      write_shortest(out, x.value_or(std::numeric_limits<double>::quiet_NaN()));
+      out << "\n";
     }
   });
 }
@@ -76,7 +76,6 @@ void write_borders(std::ostream& out, const std::vector<Border>& borders)
   std::size_t number_of_points = 0;
   for (const Border& border : borders)
     number_of_points += border.points.size();
-  out.precision(17); // a double is read as it was written
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
       << "<Piece NumberOfPoints=\"" << number_of_points << "\" NumberOfLines=\"" << borders.size() << "\">\n";
   write_cell_data_of_lines(out, borders);
@@ -84,7 +83,10 @@ void write_borders(std::ostream& out, const std::vector<Border>& borders)
   write_data_array(out, "type=\"Float64\" NumberOfComponents=\"3\"", [&]() {
     for (const Border& border : borders)
       for (const Point& point : border.points)
-        out << point << "\n";
+      {
+        write_shortest(out, point);
+        out << "\n";
+      }
   });
   out << "</Points>\n<Lines>\n";
   write_data_array(out, "type=\"Int64\" Name=\"connectivity\"", [&]() {

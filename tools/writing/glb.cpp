@@ -56,9 +56,8 @@ public:
               {"bufferViews", Json::array()}};
   }
 
-  void add(std::size_t segment, const Triangles& triangles)
+  void add(std::size_t segment, const std::string& name, const Triangles& triangles)
   {
-    const std::string name = "segment " + std::to_string(segment);
     const std::size_t material = append("materials", describe_material(segment, name));
     const Json primitive = {{"attributes", {{"POSITION", add_positions(triangles.positions)}}},
                             {"indices", add_corners(triangles.corners)},
@@ -72,7 +71,7 @@ public:
   void write(std::ostream& out)
   {
     m_json["buffers"] = {{{"byteLength", m_bytes.size()}}};
-    std::string header = m_json.dump();
+    std::string header = m_json.dump(-1, ' ', false, Json::error_handler_t::replace);
     header.resize((header.size() + 3) / 4 * 4, ' '); // chunks are multiples of four bytes
     out.write("glTF", 4);
     write_number(out, 2); // the version
@@ -182,7 +181,7 @@ void write_GLB(std::ostream& out, const Segmented_soup& segmented)
         add_corner(c);
       });
     if (!triangles.corners.empty())
-      glb.add(segment, triangles);
+      glb.add(segment, segmented.name_of(segment), triangles);
   }
   glb.write(out);
 }

@@ -166,6 +166,8 @@ Json describe_measures(const Findings& findings)
   for (std::size_t s = 0; s < faces.size(); ++s)
     array.push_back(Object()
                       .add("segment", s)
+                      .add_if(s < findings.names.size() && !findings.names[s].empty(), "name",
+                              s < findings.names.size() ? findings.names[s] : "")
                       .add("faces", faces[s])
                       .add("area", areas[s])
                       .add_optional("confidence", record.least_probability(s) ? record.least_probability(s)
@@ -229,11 +231,16 @@ Json describe_hierarchy(const Segmentation& segmentation)
 {
   const std::vector<Protrusion>& protrusions = segmentation.record.protrusions();
   std::vector<std::vector<std::size_t>> children(segmentation.number_of_segments);
+  std::vector<bool> is_body(children.size(), true);
   for (const Protrusion& protrusion : protrusions)
+  {
     children[protrusion.parent].push_back(protrusion.segment);
+    is_body[protrusion.segment] = false;
+  }
   Json roots = Json::array();
-  for (std::size_t body = 0; body < segmentation.number_of_segments - protrusions.size(); ++body)
-    roots.push_back(describe_subtree(body, children));
+  for (std::size_t s = 0; s < children.size(); ++s)
+    if (is_body[s])
+      roots.push_back(describe_subtree(s, children));
   return roots;
 }
 
@@ -245,8 +252,10 @@ Json describe(const Segmentation_options& options)
   object
     .add_if(options.number_of_segments.has_value(), "segments_requested",
             options.number_of_segments.value_or(0))
+    .add_optional("hierarchy_requested", options.hierarchy)
     .add_if(options.tips.has_value(), "tips_requested", options.tips.value_or(std::vector<std::size_t>()))
-    .add("method", options.method)
+    .add_if(!options.labels.empty(), "labels", options.labels)
+    .add_if(options.labels.empty(), "method", options.method)
     .add_if(!options.distance.empty(), "distance", options.distance) // none: the method's own
     .add_if(options.distance == "landmark", "landmarks", options.landmarks)
     .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
@@ -255,7 +264,8 @@ Json describe(const Segmentation_options& options)
     .add("smooth_borders", options.are_borders_smooth)
     .add("join_pieces", options.are_pieces_joined)
     .add_if(options.gap.has_value(), "gap", options.gap.value_or(0))
-    .add_if(options.weld_distance.has_value(), "weld_distance", options.weld_distance.value_or(0));
+    .add_if(options.weld_distance.has_value(), "weld_distance", options.weld_distance.value_or(0))
+    .add_if(!options.caps.empty(), "caps", options.caps);
   return object.take();
 }
 

@@ -9,8 +9,10 @@
 #include "writing/palette.h"
 #include "writing/part_names.h"
 #include "writing/ply.h"
+#include "writing/shortest_digits.h"
 #include "writing/vtp.h"
 
+#include <algorithm>
 #include <map>
 #include <stdexcept>
 
@@ -28,11 +30,13 @@ void write_seg(std::ostream& out, const Segmented_soup& segmented)
 void write_off(std::ostream& out, const Segmented_soup& segmented)
 {
   const auto& [points, polygons] = segmented.soup;
-  out.precision(17); // a double is read as it was written
   out << "OFF\n" << points.size() << " " << polygons.size() << " 0\n";
   const std::vector<CGAL::IO::Color> colors = segment_colors(segmented.segments);
   for (const Point& point : points)
-    out << point << "\n";
+  {
+    write_shortest(out, point);
+    out << "\n";
+  }
   for (std::size_t i = 0; i < polygons.size(); ++i)
   {
     out << polygons[i].size();
@@ -47,13 +51,18 @@ void write_off(std::ostream& out, const Segmented_soup& segmented)
 void write_obj(std::ostream& out, const Segmented_soup& segmented)
 {
   const auto& [points, polygons] = segmented.soup;
-  out.precision(17); // a double is read as it was written
+  const auto last = std::max_element(segmented.segments.begin(), segmented.segments.end());
+  const std::vector<std::string> names = names_of_parts("%s", polygons.empty() ? 0 : *last + 1, segmented.names);
   for (const Point& point : points)
-    out << "v " << point << "\n";
+  {
+    out << "v ";
+    write_shortest(out, point);
+    out << "\n";
+  }
   for (std::size_t i = 0; i < polygons.size(); ++i)
   {
     if (i == 0 || segmented.segments[i] != segmented.segments[i - 1])
-      out << "g segment_" << segmented.segments[i] << "\n";
+      out << "g " << names[segmented.segments[i]] << "\n";
     out << "f";
     for (const std::size_t corner : polygons[i])
       out << " " << corner + 1;
@@ -75,7 +84,7 @@ const std::vector<Format>& formats()
     {".seg", "one segment id a line, line i for face i", write_seg, false},
     {".ply", "binary mesh with colours and a face property segment", write_PLY, true},
     {".off", "mesh with face colours", write_off, true},
-    {".obj", "mesh with a group segment_N for each segment", write_obj, true},
+    {".obj", "mesh with a group for each segment", write_obj, true},
     {".glb", "glTF 2.0, a coloured mesh for each segment", write_GLB, true},
     {".vtp", "VTK polygonal data with cell data segment and color", write_VTP, true}};
   return table;
@@ -103,6 +112,7 @@ std::string known_extensions()
 Segmented_soup part_of(const Segmented_soup& whole, const std::vector<std::size_t>& faces)
 {
   Segmented_soup part;
+  part.names = whole.names;
   std::map<std::size_t, std::size_t> indices;
   for (const std::size_t face : faces)
   {
@@ -158,10 +168,10 @@ void check_output_name(const std::string& name)
   if (!is_pattern(name))
     return;
   if (!format->holds_a_mesh)
-    throw std::invalid_argument("-o: '" + name + "' has a %d, but " + format->extension +
+    throw std::invalid_argument("-o: '" + name + "' has a %d or %s, but " + format->extension +
                                 " files are of the whole mesh");
   if (!is_valid_pattern(name))
-    throw std::invalid_argument("-o: '" + name + "' has a %d elsewhere than once in the file's name");
+    throw std::invalid_argument("-o: '" + name + "' has a %d or %s elsewhere than once in the file's name");
 }
 
 std::vector<Segmented_soup> parts_of(const Segmented_soup& segmented, std::size_t number_of_segments)
@@ -175,11 +185,11 @@ std::vector<Segmented_soup> parts_of(const Segmented_soup& segmented, std::size_
   return parts;
 }
 
-void add_parts(const std::string& pattern, const std::vector<Segmented_soup>& parts, Output_files& files)
+void add_parts(const std::vector<std::string>& names, const std::vector<Segmented_soup>& parts, Output_files& files)
 {
-  files.make_folder_of(pattern);
+  files.make_folder_of(names.front());
   for (std::size_t s = 0; s < parts.size(); ++s)
-    add_output(name_of_part(pattern, s), parts[s], files);
+    add_output(names[s], parts[s], files);
 }
 
 void add_output(const std::string& name, const Segmented_soup& segmented, Output_files& files)

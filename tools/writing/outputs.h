@@ -36,8 +36,8 @@ void check_output_name(const std::string& name);
 // The faces of every segment, with the points that they need.
 std::vector<Segmented_soup> parts_of(const Segmented_soup& segmented, std::size_t number_of_segments);
 
-// One file for each part, in their order, of a name with a "%d".
-void add_parts(const std::string& pattern, const std::vector<Segmented_soup>& parts, Output_files& files);
+// One file for each part, in one folder, which is made.
+void add_parts(const std::vector<std::string>& names, const std::vector<Segmented_soup>& parts, Output_files& files);
 
 // The whole in one file.
 void add_output(const std::string& name, const Segmented_soup& segmented, Output_files& files);

@@ -6,7 +6,12 @@
 
 #include "command_line/number.h"
 
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
 #include <iterator>
+#include <set>
+#include <string_view>
 #include <system_error>
 
 namespace tool
@@ -16,13 +21,14 @@ namespace
 
 namespace fs = std::filesystem;
 
-// Where a name has a number: "%d", or as in "%03d" with a width.
+// Where a name has a number: "%d", or as in "%03d" with a width; or a name, "%s".
 struct Placeholder
 {
   std::size_t begin = std::string::npos;
   std::size_t size = 0;
   std::size_t width = 0;
   char fill = ' ';
+  bool is_name = false;
 };
 
 Placeholder find_placeholder(const std::string& name, std::size_t from = 0)
@@ -35,6 +41,8 @@ Placeholder find_placeholder(const std::string& name, std::size_t from = 0)
     if (end != std::string::npos && name[end] == 'd' && digits.size() <= 2)
       return {begin, end + 1 - begin, digits.empty() ? 0 : std::stoul(digits),
               digits.substr(0, 1) == "0" ? '0' : ' '};
+    if (end == begin + 1 && name[end] == 's')
+      return {begin, 2, 0, ' ', true};
   }
   return {};
 }
@@ -44,12 +52,44 @@ std::optional<std::size_t> number_of_part(const std::string& pattern, const std:
 {
   const Placeholder placeholder = find_placeholder(pattern);
   const std::size_t size_of_rest = pattern.size() - placeholder.size;
-  if (name.size() <= size_of_rest)
+  if (name.size() <= size_of_rest || placeholder.is_name)
     return std::nullopt;
   const std::string digits = name.substr(placeholder.begin, name.size() - size_of_rest);
   const std::size_t begin = digits.find_first_not_of(' ');
   const auto segment = number<std::size_t>(begin == std::string::npos ? "" : digits.substr(begin));
   return segment && name_of_part(pattern, *segment) == name ? segment : std::nullopt;
+}
+
+// Without characters that names of files, or of groups in OBJ, cannot have.
+std::string one_word(const std::string& name)
+{
+  std::string word = name;
+  for (char& c : word)
+    if (static_cast<unsigned char>(c) < 0x80 && !std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_' &&
+        (c != '.' || &c == &word.front()))
+      c = '_';
+  return word;
+}
+
+bool begins_or_is_begun_by(std::string_view a, std::string_view b)
+{
+  const std::size_t size = (std::min)(a.size(), b.size());
+  return a.substr(0, size) == b.substr(0, size);
+}
+
+// Can a pattern with a "%s" give a name, or a name that another pattern gives?
+bool can_be_equal(const std::string& pattern, const std::string& other)
+{
+  const Placeholder first = find_placeholder(pattern), second = find_placeholder(other);
+  const std::string reversed(pattern.rbegin(), pattern.rend() - std::ptrdiff_t(first.begin + first.size));
+  if (second.size > 0)
+  {
+    const std::string other_reversed(other.rbegin(), other.rend() - std::ptrdiff_t(second.begin + second.size));
+    return begins_or_is_begun_by(pattern.substr(0, first.begin), other.substr(0, second.begin)) &&
+           begins_or_is_begun_by(reversed, other_reversed);
+  }
+  return other.size() > pattern.size() - first.size && other.compare(0, first.begin, pattern, 0, first.begin) == 0 &&
+         std::equal(reversed.begin(), reversed.end(), other.rbegin());
 }
 
 std::string file_name(const std::string& name)
@@ -77,10 +117,32 @@ bool is_valid_pattern(const std::string& name)
 std::string name_of_part(const std::string& pattern, std::size_t segment)
 {
   const Placeholder placeholder = find_placeholder(pattern);
-  std::string number = std::to_string(segment);
+  std::string number = (placeholder.is_name ? "segment_" : "") + std::to_string(segment);
   number.insert(0, placeholder.width > number.size() ? placeholder.width - number.size() : 0,
                 placeholder.fill);
   return std::string(pattern).replace(placeholder.begin, placeholder.size, number);
+}
+
+std::vector<std::string> names_of_parts(const std::string& pattern,
+                                        std::size_t number_of_segments,
+                                        const std::vector<std::string>& names_of_segments)
+{
+  const Placeholder placeholder = find_placeholder(pattern);
+  std::vector<std::string> result;
+  std::set<std::string> words;
+  for (std::size_t s = 0; s < number_of_segments; ++s)
+  {
+    result.push_back(name_of_part(pattern, s));
+    if (!placeholder.is_name)
+      continue;
+    std::string word = one_word(s < names_of_segments.size() ? names_of_segments[s] : "");
+    if (word.empty())
+      word = "segment_" + std::to_string(s);
+    while (!words.insert(word).second)
+      word += "_" + std::to_string(s);
+    result.back() = std::string(pattern).replace(placeholder.begin, placeholder.size, word);
+  }
+  return result;
 }
 
 fs::path place_of_file(const std::string& name)
@@ -94,7 +156,10 @@ fs::path place_of_file(const std::string& name)
 bool gives_part(const std::string& pattern, const std::string& name)
 {
   const fs::path place = place_of_file(name);
-  if (place.parent_path() == folder_of(pattern) && number_of_part(file_name(pattern), place.filename().string()))
+  const std::string pattern_of_file = file_name(pattern), file = place.filename().string();
+  if (place.parent_path() == folder_of(pattern) &&
+      (find_placeholder(pattern_of_file).is_name ? can_be_equal(pattern_of_file, file)
+                                                 : number_of_part(pattern_of_file, file).has_value()))
     return true;
   for (const auto& [segment, part] : parts_in_place(pattern))
     if (place_of_file(part) == place)
@@ -108,6 +173,8 @@ std::optional<std::string> common_part(const std::string& pattern, const std::st
   if (folder_of(pattern) != folder_of(other))
     return std::nullopt;
   const std::string first = file_name(pattern), second = file_name(other);
+  if (find_placeholder(first).is_name || find_placeholder(second).is_name)
+    return can_be_equal(first, second) ? std::optional<std::string>(name_of_part(pattern, 0)) : std::nullopt;
   for (std::size_t segment = 0; segment < enough; ++segment)
     if (number_of_part(second, name_of_part(first, segment)))
       return name_of_part(pattern, segment);

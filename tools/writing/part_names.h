@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Names with a "%d", or a "%03d", for a file per segment.
+// Names with a "%d", a "%03d" or a "%s" for a file per segment.
 
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_PART_NAMES_H
 #define PROTRUSION_SEGMENTATION_TOOLS_WRITING_PART_NAMES_H
@@ -12,16 +12,23 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tool
 {
 
 bool is_pattern(const std::string& name);
 
-// Is the number there once, and in the name of the file, not in that of its folder?
+// Is the number, or name, there once, and in the name of the file, not in that of its folder?
 bool is_valid_pattern(const std::string& name);
 
 std::string name_of_part(const std::string& pattern, std::size_t segment);
+
+// Of all segments. A "%s" becomes the name of the segment, or "segment_N" without one: each different, in characters that names
+// of files, and of groups in OBJ, may have.
+std::vector<std::string> names_of_parts(const std::string& pattern,
+                                        std::size_t number_of_segments,
+                                        const std::vector<std::string>& names_of_segments);
 
 // Where a file is, or would be, whatever it is called: links are followed, also those of folders that are there.
 std::filesystem::path place_of_file(const std::string& name);

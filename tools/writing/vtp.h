@@ -10,6 +10,7 @@
 
 #include "writing/Segmented_soup.h"
 #include "writing/palette.h"
+#include "writing/shortest_digits.h"
 
 #include <cstddef>
 #include <ostream>
@@ -58,7 +59,10 @@ inline void write_polygons(std::ostream& out, const Polygon_soup& soup)
   out << "<Points>\n";
   write_data_array(out, "type=\"Float64\" NumberOfComponents=\"3\"", [&]() {
     for (const Point& point : soup.points)
-      out << point << "\n";
+    {
+      write_shortest(out, point);
+      out << "\n";
+    }
   });
   out << "</Points>\n<Polys>\n";
   write_data_array(out, "type=\"Int64\" Name=\"connectivity\"", [&]() {
@@ -79,7 +83,6 @@ inline void write_polygons(std::ostream& out, const Polygon_soup& soup)
 
 inline void write_VTP(std::ostream& out, const Segmented_soup& segmented)
 {
-  out.precision(17); // a double is read as it was written
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
       << "<Piece NumberOfPoints=\"" << segmented.soup.points.size() << "\" NumberOfPolys=\""
       << segmented.soup.polygons.size() << "\">\n";

@@ -27,7 +27,7 @@ The nested protrusions of a surface (Figure 1 of the paper) as a tree, and with 
 number of segments.
 
 The bodies of the connected components have the first numbers, one each; that of the largest component has the number 0. The
-other segments are protrusions, in the order in which their borders were chosen; each sticks out of its parent. The
+other segments are protrusions, each of which sticks out of its parent. The
 segmentation with one segment less joins the last segment to its parent, which becomes the parent of what stuck out of it.
 
 An object of this class is made by `CGAL::protrusion_hierarchy()` and keeps no reference to the mesh.

@@ -26,7 +26,8 @@ computes the hierarchy of nested protrusions by `Protrusion_segmentation::Minimu
 segmentations with every number of segments.
 
 The segmentation with the largest number of segments is that of `segmentation_via_protrusion_tips()`. Those with fewer
-segments join protrusions to their parents, so that all are nested. `segmentation_via_protrusion_tips()` may find a better
+segments join protrusions to their parents, so that all are nested, in an order such that they stay near those of
+`segmentation_via_protrusion_tips()` with as many. `segmentation_via_protrusion_tips()` may find a better
 segmentation for a smaller number.
 
 \tparam ConcurrencyTag, FaceGraph, Number, NamedParameters as for `segmentation_via_protrusion_tips()`

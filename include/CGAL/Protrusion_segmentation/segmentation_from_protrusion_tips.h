@@ -129,6 +129,9 @@ One tip cuts off its protrusion. A tip that is given twice counts once, and so d
 A tip for which no border is found, or that already lies in the protrusion of another one, makes no segment. A tip on a small
 component counts as one on the face whose segment that component gets.
 
+The tips of all protrusions that `segmentation_via_protrusion_tips()` found by the same method, as a visitor was told of them, give the
+same segments. With a few more tips, these add protrusions to them.
+
 \tparam ConcurrencyTag, FaceGraph, SegmentMap, NamedParameters as for `segmentation_via_protrusion_tips()`
 \tparam FaceRange a range of `boost::graph_traits<FaceGraph>::%face_descriptor`
 

@@ -12,7 +12,7 @@ class Editor
   {
     this.model = model;
     this.onChange = onChange;
-    this.names = new Map(); // of segments
+    this.names = new Map(model.data.measures.filter(m => m.name !== null).map(m => [m.segment, m.name])); // of segments
     this.tips = []; // faces
     this.history = [];
   }
@@ -69,22 +69,33 @@ class Editor
     });
   }
 
-  segmentFromTips() { this.change(() => this.model.setTips(this.tips)); }
+  // The picked tips where the finest segments have no other protrusion than the one that is shown.
+  tipsWithoutSegment() { return this.tips.filter(face => !this.model.hasSmallerSegment(face)); }
+
+  // Picked tips become shown segments; those without one are left.
+  segmentFromTips()
+  {
+    this.change(() =>
+    {
+      const without = this.tipsWithoutSegment();
+      this.model.addTips(this.tips);
+      this.tips = without;
+    });
+  }
 
   nameOf(segment)
   {
-    return this.names.get(segment) ?? (segment < this.model.minimum ? `${segment}: body` : `${segment}`);
+    return this.names.get(segment) ?? (this.model.isBody(segment) ? `${segment}: body` : `${segment}`);
   }
 
-  // As `segment_by_protrusions --tips` reads it: the picked tips or, without any, those of the shown protrusions.
+  // As `segment_by_protrusions --tips` reads it: the tips of the shown protrusions, and the picked ones.
   tipsText()
   {
-    const numbers = this.model.savedNumbers();
     const shown = this.model.shownSegments();
-    const tips = this.tips.length > 0 ? this.tips
-                                      : shown.map(s => this.model.tip(s)).filter(face => face !== undefined);
+    const ofShown = shown.map(s => this.model.tip(s)).filter(face => face !== undefined);
+    const tips = [...new Set([...ofShown, ...this.tips])];
     const named = shown.filter(s => this.names.has(s));
-    const names = named.map(s => ({segment: numbers.get(s), name: this.names.get(s)}));
+    const names = named.map(s => ({face: this.model.tip(s) ?? this.model.farthestFace(s), name: this.names.get(s)}));
     return JSON.stringify({input: this.model.data.input, tips, names}, null, 2) + "\n";
   }
 }

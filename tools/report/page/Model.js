@@ -39,11 +39,14 @@ class Model
     this.setLevel(this.maximum);
   }
 
-  // With one segment less, the last segment is given to its parent, or to the nearest ancestor that is left.
+  // With one segment less, the last protrusion is given to its parent, or to the nearest ancestor that is left.
   setLevel(numberOfSegments)
   {
-    this.setJoined(new Set([...this.protrusions.keys()].filter(s => s >= numberOfSegments)));
+    this.setJoined(new Set([...this.protrusions.keys()].slice(numberOfSegments - this.minimum)));
   }
+
+  // Is it what the slider shows?
+  isLevel() { return [...this.protrusions.keys()].slice(this.number - this.minimum).every(s => this.joined.has(s)); }
 
   // `joined`: the protrusions whose cuts are taken back
   setJoined(joined)
@@ -59,12 +62,15 @@ class Model
     }
   }
 
-  // All cuts are taken back but those of the smallest protrusions around these faces.
-  setTips(faces)
+  // Shows the smallest protrusions around these faces, besides those that are shown.
+  addTips(faces)
   {
-    const kept = new Set(faces.map(face => this.segments[face]));
-    this.setJoined(new Set([...this.protrusions.keys()].filter(s => !kept.has(s))));
+    const added = new Set(faces.map(face => this.segments[face]));
+    this.setJoined(new Set([...this.joined].filter(s => !added.has(s))));
   }
+
+  // Is there a smaller segment around a face than the one that is shown?
+  hasSmallerSegment(face) { return this.joined.has(this.segments[face]); }
 
   ancestor(segment)
   {
@@ -72,6 +78,8 @@ class Model
       segment = this.protrusions.get(segment).parent;
     return segment;
   }
+
+  isBody(segment) { return !this.protrusions.has(segment); }
 
   isShown(segment) { return segment < this.maximum && !this.joined.has(segment); }
 
@@ -100,8 +108,11 @@ class Model
     const borders = this.children(segment);
     if (this.protrusions.has(segment))
       borders.push(segment);
-    return Math.min(...borders.map(border => this.sureness(border)));
+    return Math.min(...borders.map(border => this.sureness(border) ?? Infinity));
   }
+
+  // Segments that were given, not found, have borders without probabilities and values.
+  hasConfidence() { return this.data.protrusions.some(p => this.sureness(p.segment) !== null); }
 
   // The ends of the scale of confidence: probabilities from 0 to 1, or the least and the largest value of a border.
   scale()
@@ -134,15 +145,19 @@ class Model
     return sum.map(x => x / count);
   }
 
-  // A face on the segment as it is shown: its tip, or, if another protrusion took that, the face farthest from the border.
+  // A face on a protrusion as it is shown: its tip, or, if another protrusion took that, the face farthest from the border.
   // None for a body.
   tip(segment)
   {
     const protrusion = this.protrusions.get(segment);
     if (!protrusion)
       return undefined;
-    if (this.segmentOfFace(protrusion.tip) === segment)
-      return protrusion.tip;
+    return this.segmentOfFace(protrusion.tip) === segment ? protrusion.tip : this.farthestFace(segment);
+  }
+
+  // The face of a shown segment that is farthest from the middle of its borders.
+  farthestFace(segment)
+  {
     const ends = this.borderEdges(segment).flat().map(v => this.point(v));
     const center = [0, 1, 2].map(c => ends.reduce((sum, p) => sum + p[c], 0) / Math.max(1, ends.length));
     let [best, farthest] = [undefined, -1];

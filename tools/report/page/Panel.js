@@ -81,9 +81,10 @@ class Panel
     this.part("title").textContent = name;
     this.part("summary").textContent =
       `${data.faces.toLocaleString("en")} faces, ${data.segments} segments in ${format(data.seconds)} s; ` +
-      `method ${data.method}` + (data.distance === null ? "" : `, distance ${data.distance}`);
+      (data.method === null ? `segments of ${data.labels}` : `method ${data.method}`) + (data.distance === null ? "" : `, distance ${data.distance}`);
     this.part("meanings").replaceChildren(...Object.entries(Panel.meanings).flatMap(
       ([name, meaning]) => [element("dt", {textContent: name}), element("dd", {textContent: meaning})]));
+    this.part("colors").parentElement.hidden = !model.hasConfidence();
     this.part("note").hidden = data.note === null;
     this.part("note").textContent = data.note ?? "";
   }
@@ -92,7 +93,7 @@ class Panel
 
   show(selected)
   {
-    const bodies = Array.from({length: this.model.minimum}, (_, s) => s);
+    const bodies = this.model.shownSegments().filter(s => this.model.isBody(s));
     this.part("tree").replaceChildren(...bodies.map(s => this.branch(s, selected)));
     this.part("details").replaceChildren(...this.details(selected));
     this.part("tips").replaceChildren(...this.editor.tips.map(face => this.itemOfTip(face)));
@@ -149,7 +150,8 @@ class Panel
   {
     const hasSlot = protrusion.border_slot !== null;
     const rows = [["sticks out of segment", this.model.ancestors[protrusion.parent]], ["tip at face", this.model.tip(protrusion.segment)],
-                  [hasSlot ? "prominence of the border" : "value of the cut", format(protrusion.value)],
+                  ...(protrusion.value === null ? []
+                      : [[hasSlot ? "prominence of the border" : "value of the cut", format(protrusion.value)]]),
                   ...(protrusion.probability === null ? [] : [["probability of the border", format(protrusion.probability)]]),
                   ["area beyond the border", format(protrusion.area)],
                   ["length of the border", format(protrusion.border_length)]];

@@ -19,7 +19,6 @@ class View
     this.renderer.setClearColor(0xffffff);
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(30, 1, 0.05, 100);
-    this.camera.position.z = View.startDistance;
     this.scene.add(this.camera, new THREE.AmbientLight(0xffffff, 0.5));
     const light = new THREE.DirectionalLight(0xffffff, 0.55);
     light.position.set(-0.4, 0.6, 1); // of the camera, so that it stays with the eye
@@ -31,6 +30,24 @@ class View
     this.addMarks();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();
+    this.showAll();
+  }
+
+  // The camera goes as far away as it must for all vertices to be seen.
+  showAll()
+  {
+    const margin = 1.12;
+    const up = margin / Math.tan(Math.PI * this.camera.fov / 360), right = up / Math.max(0.1, this.camera.aspect);
+    this.turned.updateMatrixWorld();
+    const point = new THREE.Vector3();
+    let distance = 1;
+    for (let v = 0; v < this.model.positions.length; v += 3)
+    {
+      point.fromArray(this.model.positions, v).applyMatrix4(this.turned.matrixWorld);
+      distance = Math.max(distance, point.z + up * Math.abs(point.y), point.z + right * Math.abs(point.x));
+    }
+    this.camera.position.z = distance;
+    this.draw();
   }
 
   addMesh()
@@ -269,12 +286,6 @@ class View
     return best;
   }
 
-  segmentAt(x, y)
-  {
-    const face = this.faceAt(x, y);
-    return face < 0 ? -1 : this.model.segmentOfFace(face);
-  }
-
   // Where a face is in the window, hidden or not.
   positionOf(face)
   {
@@ -285,5 +296,3 @@ class View
     return [box.left + (point.x + 1) / 2 * box.width, box.top + (1 - point.y) / 2 * box.height];
   }
 }
-
-View.startDistance = 3.6; // most meshes fill the canvas; the corners of a cube are just out of sight

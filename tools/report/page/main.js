@@ -19,6 +19,7 @@ class Report
   {
     this.model = new Model(JSON.parse(document.getElementById("data").textContent));
     this.editor = new Editor(this.model, () => this.show());
+    this.exporter = new Exporter(this.model, this.editor);
     this.selected = -1;
     this.panel = new Panel(this.model, this.editor, segment => this.select(segment));
     this.view = new View(document.getElementById("canvas"), this.model, this.editor);
@@ -43,11 +44,29 @@ class Report
     const {number, maximum} = this.model;
     document.getElementById("level").value = number;
     document.getElementById("level_value").value = `${number} of ${maximum}`;
+    this.showWhichNested();
     document.getElementById("undo").disabled = !this.editor.canUndo();
     document.getElementById("merge").disabled = !this.editor.canMerge(this.selected);
+    document.getElementById("save_stl").disabled = this.selected < 0;
     document.getElementById("from_tips").disabled = this.editor.tips.length === 0;
+    this.say("");
     this.panel.show(this.selected);
     this.view.show(this.selected);
+  }
+
+  // One line on the mesh, until something changes.
+  say(text) { document.getElementById("message").textContent = text; }
+
+  // The slider does not show what -k finds.
+  showWhichNested()
+  {
+    const {number, maximum, minimum, data} = this.model;
+    const nested = document.getElementById("nested");
+    nested.hidden = !this.model.isLevel() || number === maximum || number === minimum || data.labels !== null ||
+                    data.tips_requested !== null;
+    const call = `-k ${number} --of ${data.hierarchy_requested ?? maximum}`;
+    nested.replaceChildren("These are nested segments, of ", element("code", {textContent: call}), ". ",
+                           element("code", {textContent: `-k ${number}`}), " alone may find better ones.");
   }
 
   setLevel(numberOfSegments) { this.editor.setLevel(numberOfSegments); }
@@ -63,9 +82,13 @@ class Report
   connectButtons()
   {
     const name = this.model.data.input.split(/[\\/]/).pop().replace(/\.[^.]*$/, "") || "mesh";
-    const actions = {undo: () => this.editor.undo(), merge: () => this.editor.merge(this.selected),
-                     from_tips: () => this.editor.segmentFromTips(),
+    const actions = {undo: () => this.editor.undo(), merge: () => this.merge(),
+                     from_tips: () => this.segmentFromTips(),
                      save_seg: () => saveFile(`${name}.seg`, this.model.segText()),
+                     save_ply: () => saveFile(`${name}.ply`, this.exporter.plyText()),
+                     save_obj: () => saveFile(`${name}.parts.obj`, this.exporter.objText()),
+                     save_stl: () => saveFile(`${name}.${this.exporter.nameOf(this.selected)}.stl`,
+                                              this.exporter.stlText(this.selected)),
                      save_tips: () => saveFile(`${name}.tips.json`, this.editor.tipsText())};
     for (const [id, action] of Object.entries(actions))
       document.getElementById(id).onclick = action;
@@ -81,6 +104,24 @@ class Report
       this.editor.pick(face);
     else
       this.select(face < 0 ? -1 : this.model.segmentOfFace(face));
+    if (face < 0)
+      this.say("There is no face at this place.");
+  }
+
+  merge()
+  {
+    if (this.editor.canMerge(this.selected))
+      this.editor.merge(this.selected);
+    else
+      this.say(this.selected < 0 ? "No segment is selected." : "A body has no parent to be merged into.");
+  }
+
+  segmentFromTips()
+  {
+    this.editor.segmentFromTips();
+    if (this.editor.tips.length > 0)
+      this.say(`No further segment of this page ends at face ${this.editor.tips.join(", ")}. Save tips and names: ` +
+               "segment_by_protrusions --tips looks for one.");
   }
 
   connectPointer(canvas)
@@ -119,11 +160,11 @@ class Report
     const actions = {ArrowLeft: () => this.view.turn(-0.1, 0), ArrowRight: () => this.view.turn(0.1, 0),
                      ArrowUp: () => this.view.turn(0, -0.1), ArrowDown: () => this.view.turn(0, 0.1),
                      "+": () => this.view.zoom(0.9), "-": () => this.view.zoom(1 / 0.9),
-                     Escape: () => this.select(-1), Delete: () => this.editor.merge(this.selected)};
+                     Escape: () => this.select(-1), Delete: () => this.merge()};
     canvas.onkeydown = event =>
     {
       if (event.key === "z" && event.ctrlKey)
-        this.editor.undo();
+        this.editor.canUndo() ? this.editor.undo() : this.say("There is nothing to undo.");
       else if (event.key in actions)
         actions[event.key]();
       else

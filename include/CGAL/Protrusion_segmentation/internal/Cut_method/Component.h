@@ -7,15 +7,19 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/Protrusion.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Beam_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/cuts_of_tips.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Component_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/describe_protrusions.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/number_of_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/Next_segment.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -33,7 +37,8 @@ public:
             const std::optional<Any_distance>& distance,
             const Cut_options& options,
             Execution& execution)
-    : m_options(options),
+    : m_surface(surface),
+      m_options(options),
       m_execution(execution),
       m_graphs(surface, options, execution),
       m_search(surface, m_graphs, distance, options, execution),
@@ -49,10 +54,22 @@ public:
   // The best cuts into a number of segments; none if there are not as many.
   const Cut_set* best(std::size_t number_of_segments) { return m_beam.best(number_of_segments); }
 
+  // The best sets into fewer segments.
+  std::vector<const Cut_set*> coarser_than(const Cut_set& set)
+  {
+    std::vector<const Cut_set*> result;
+    for (std::size_t number = set.segments.size(); number-- > 2;) // first the largest one, which moves the others in memory
+      if (const Cut_set* coarser = m_beam.best(number))
+        result.push_back(coarser);
+    return result;
+  }
+
   // What segment `number_of_segments` + 1 gains; nothing if there is none.
   std::optional<double> gain(std::size_t number_of_segments)
   {
-    return m_beam.best(number_of_segments + 1) ? std::optional<double>(m_beam.gain(number_of_segments + 1)) : std::nullopt;
+    return m_beam.best(number_of_segments + 1)
+             ? std::optional<double>(m_beam.gain(number_of_segments + 1))
+             : std::nullopt;
   }
 
   std::size_t automatic_number()
@@ -68,13 +85,42 @@ public:
       m_options);
   }
 
-  // The cuts of protrusions of picked tips.
+  // The cuts of protrusions of picked tips. Where they are those of the best segmentation into some number of segments and a few
+  // more, that is kept, and only the others get cuts. So the tips of a result give that result.
   Cut_set cuts_of_tips(const std::vector<Index>& faces)
   {
-    return Tip_cuts(m_graphs, m_search, m_beam.memo(), m_execution)(*m_beam.best(1), faces);
+    constexpr std::size_t most_others = 10; // each takes another look at a segmentation
+    for (std::size_t number = faces.size() + 1; number > 1 && number + most_others > faces.size();
+         --number)
+    {
+      const Cut_set* set = m_beam.best(number);
+      if (!set)
+        continue;
+      const std::vector<Index> tips = tips_of(*set);
+      std::vector<Index> tips_first = faces;
+      const auto end = std::stable_partition(
+        tips_first.begin(), tips_first.end(),
+        [&](Index f) { return std::find(tips.begin(), tips.end(), f) != tips.end(); });
+      if (static_cast<std::size_t>(end - tips_first.begin()) == tips.size())
+        return Tip_cuts(m_graphs, m_search, m_beam.memo(), m_execution)(*m_beam.best(1), *set,
+                                                                        tips_first);
+    }
+    const Cut_set& whole = *m_beam.best(1);
+    return Tip_cuts(m_graphs, m_search, m_beam.memo(), m_execution)(whole, whole, faces);
   }
 
 private:
+  std::vector<Index> tips_of(const Cut_set& set)
+  {
+    const Component_segments segments(m_graphs, memo(), set, m_options, m_execution);
+    std::vector<Index> tips;
+    for (const Protrusion<Index>& protrusion :
+         Protrusion_describer(m_surface, m_graphs, segments, m_execution.is_parallel())())
+      tips.push_back(protrusion.tip);
+    return tips;
+  }
+
+  const Indexed_surface& m_surface;
   const Cut_options& m_options;
   Execution& m_execution;
   Graphs_of_surface m_graphs;

@@ -179,7 +179,8 @@ private:
   void finish(std::size_t c, const Loaded& loaded, const Cut_set& set)
   {
     const Stage_scope stage(m_execution.observer(), Stage::LABELS);
-    const Component_segments segments(loaded.component->graphs(), loaded.component->memo(), set, m_options, m_execution);
+    const Component_segments segments(loaded.component->graphs(), loaded.component->memo(), set, m_options, m_execution,
+                                      loaded.component->coarser_than(set));
     const Index first = static_cast<Index>(m_parents.size()) - 1; // plus the number of a protrusion
     const auto id = [first, c](std::size_t s) { return static_cast<Index>(s == 0 ? c : first + s); };
     for (std::size_t f = 0; f < segments.labels().size(); ++f)

@@ -10,87 +10,121 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// The segments of a connected surface as the nodes of a tree, and its borders as the arcs: each border separates the
-// surface in two.
+// What sticks out of what, among the segments of a connected surface: the shortest paths from the body to all others.
 //
-// The body is the segment without which no piece has more than half of the area. So what lies beyond a border, seen
-// from the body, a protrusion with all that sticks out of it, never is the larger side.
+// A step between two neighbours has length 1 if their border is the longest one of either; it is longer over a shorter border.
+// So arms that touch each other stick out of the body that they touch, unless their borders with it are only short.
+//
+// The body is the segment from which the area is nearest. So what lies beyond a border, a protrusion with all that sticks out of
+// it, never has more than half of the area: else the area would be nearer from there.
 class Segment_tree
 {
 public:
   using Index = Indexed_surface::Index;
-  using Border = std::pair<Index, Index>; // between two segments
+  using Lengths = std::map<std::pair<Index, Index>, double>; // of all borders, the lower segment first
 
   // `areas`: of every segment
-  Segment_tree(const std::vector<double>& areas, const std::vector<Border>& borders)
-    : m_parents(areas.size()), m_border_to_parent(areas.size())
+  Segment_tree(const std::vector<double>& areas, const Lengths& lengths) : m_steps(areas.size())
   {
-    CGAL_precondition(borders.size() + 1 == areas.size());
-    std::vector<std::vector<std::size_t>> borders_of(areas.size());
-    for (std::size_t b = 0; b < borders.size(); ++b)
-      for (Index s : {borders[b].first, borders[b].second})
-        borders_of[s].push_back(b);
-    hang_up(m_body, borders, borders_of, areas);
-    // Of two halves that are equal but for rounding, each may be more than half seen from the other one.
-    Index last = m_body;
-    for (Index next = heavy_child(m_body); next != m_body && next != last; next = heavy_child(m_body))
+    find_steps(lengths);
+    double least = std::numeric_limits<double>::infinity();
+    for (Index s = 0; s < areas.size(); ++s)
     {
-      last = std::exchange(m_body, next);
-      hang_up(m_body, borders, borders_of, areas);
+      const Paths paths = paths_from(s);
+      const double sum = std::inner_product(areas.begin(), areas.end(), paths.distances.begin(), 0.);
+      if (sum < least * (1 - rounding))
+      {
+        least = sum;
+        m_body = s;
+      }
     }
+    const Paths paths = paths_from(m_body);
+    m_parents = paths.parents;
+    m_areas = areas;
+    for (std::size_t i = paths.order.size(); i-- > 1;)
+      m_areas[m_parents[paths.order[i]]] += m_areas[paths.order[i]];
   }
 
   Index body() const { return m_body; }
   // the segment that a segment sticks out of; the body is its own
   Index parent(Index segment) const { return m_parents[segment]; }
-  // the number of the border between a segment, not the body, and its parent
-  std::size_t border_to_parent(Index segment) const { return m_border_to_parent[segment]; }
   // of a segment with all that sticks out of it
   double area_beyond(Index segment) const { return m_areas[segment]; }
 
 private:
-  // Makes `body` the root.
-  void hang_up(Index body,
-               const std::vector<Border>& borders,
-               const std::vector<std::vector<std::size_t>>& borders_of,
-               const std::vector<double>& areas)
+  static constexpr double rounding = 1e-9; // sums that differ by less are equal
+
+  struct Step
   {
-    std::vector<Index> order(1, body);
-    m_parents[body] = body;
-    for (std::size_t i = 0; i < order.size(); ++i)
-      for (std::size_t b : borders_of[order[i]])
-      {
-        const Index s = borders[b].first == order[i] ? borders[b].second : borders[b].first;
-        if (s == m_parents[order[i]])
-          continue;
-        m_parents[s] = order[i];
-        m_border_to_parent[s] = b;
-        order.push_back(s);
-      }
-    CGAL_assertion(order.size() == m_parents.size());
-    m_areas = areas;
-    for (std::size_t i = order.size(); i-- > 1;)
-      m_areas[m_parents[order[i]]] += m_areas[order[i]];
+    Index target;
+    double length;
+  };
+
+  struct Paths
+  {
+    std::vector<double> distances;
+    std::vector<Index> parents;
+    std::vector<Index> order; // the nearest first
+  };
+
+  // The length of a step is the root of how many times shorter the border is than the longest one: where a border is more than
+  // four times shorter, two steps lead around it.
+  void find_steps(const Lengths& lengths)
+  {
+    std::vector<double> longest(m_steps.size(), 0);
+    for (const auto& [border, length] : lengths)
+      for (Index s : {border.first, border.second})
+        longest[s] = (std::max)(longest[s], length);
+    for (const auto& [border, length] : lengths)
+    {
+      const auto [s, t] = border;
+      const double step = std::sqrt((std::min)(longest[s], longest[t]) /
+                                    (std::max)(length, (std::numeric_limits<double>::min)()));
+      m_steps[s].push_back({t, step});
+      m_steps[t].push_back({s, step});
+    }
   }
 
-  // The child of the root with more than half of the whole area; else the root itself.
-  Index heavy_child(Index body) const
+  Paths paths_from(Index body) const
   {
-    for (Index s = 0; s < m_parents.size(); ++s)
-      if (s != body && m_parents[s] == body && 2 * m_areas[s] > m_areas[body])
-        return s;
-    return body;
+    Paths result;
+    result.distances.assign(m_steps.size(), std::numeric_limits<double>::infinity());
+    result.parents.resize(m_steps.size());
+    using Offer = std::tuple<double, Index, Index>; // distance, segment, parent
+    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
+    offers.emplace(0, body, body);
+    while (!offers.empty())
+    {
+      const auto [distance, s, parent] = offers.top();
+      offers.pop();
+      if (result.distances[s] <= distance)
+        continue;
+      result.distances[s] = distance;
+      result.parents[s] = parent;
+      result.order.push_back(s);
+      for (const Step& step : m_steps[s])
+        offers.emplace(distance + step.length, step.target, s);
+    }
+    CGAL_assertion(result.order.size() == m_steps.size()); // the surface is connected
+    return result;
   }
 
+  std::vector<std::vector<Step>> m_steps; // of every segment
   Index m_body = 0;
   std::vector<Index> m_parents;
-  std::vector<std::size_t> m_border_to_parent;
   std::vector<double> m_areas; // beyond the border to the parent
 };
 

@@ -33,12 +33,12 @@ public:
   {}
 
   // For the tips, in their order: cuts off the protrusion with the best border that has the tip, but none of the others, and
-  // at most half of the surface. `whole`: the set without cuts
-  Cut_set operator()(const Cut_set& whole, const std::vector<Index>& faces)
+  // at most half of the surface. `whole`: the set without cuts; `kept`: cuts that the first tips have already
+  Cut_set operator()(const Cut_set& whole, const Cut_set& kept, const std::vector<Index>& faces)
   {
     const std::vector<Index> tips = nodes_of_tips(whole.segments.front(), faces);
-    Cut_set result = whole;
-    for (std::size_t t = 0; t < faces.size(); ++t)
+    Cut_set result = kept;
+    for (std::size_t t = kept.cuts.size(); t < faces.size(); ++t)
     {
       m_execution.check();
       const Index segment = *std::find_if(result.segments.begin(), result.segments.end(),

@@ -8,7 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
-#include <CGAL/Protrusion_segmentation/internal/Segments/Borders_of_cuts.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
 
 #include <cstddef>
 #include <vector>
@@ -28,7 +28,8 @@ public:
   };
 
   // `labels`: the segment of every face; to outlive the object
-  Border_arcs(const Dual_graph& graph, const std::vector<Index>& labels, bool is_parallel) : m_labels(labels)
+  Border_arcs(const Dual_graph& graph, const std::vector<Index>& labels, bool is_parallel)
+    : m_labels(labels)
   {
     std::vector<std::vector<Arc>> blocks(number_of_blocks(labels.size()));
     for_each_block(labels.size(), is_parallel,
@@ -47,9 +48,9 @@ public:
   const std::vector<Arc>& arcs() const { return m_arcs; }
 
   // of every two neighbouring segments, the lower one first
-  Borders_of_cuts::Lengths lengths() const
+  Segment_tree::Lengths lengths() const
   {
-    Borders_of_cuts::Lengths result;
+    Segment_tree::Lengths result;
     for (const Arc& arc : m_arcs)
       if (m_labels[arc.source] < m_labels[arc.target])
         result[{m_labels[arc.source], m_labels[arc.target]}] += arc.length;

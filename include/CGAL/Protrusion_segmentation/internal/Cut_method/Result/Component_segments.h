@@ -12,19 +12,23 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Border_arcs.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Face_borders.h>
-#include <CGAL/Protrusion_segmentation/internal/Segments/Borders_of_cuts.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Joining_order.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// The segments of a connected surface that a set of cuts makes: the faces of each and their tree. The body is segment 0;
-// the others are in the order in which their borders were chosen.
+// The segments of a connected surface that a set of cuts makes: the faces of each and their tree. The body is segment 0. With the
+// last of the others given to their parents, the segments are near those of the best set of as many, if that is among the
+// `coarser` ones.
 class Component_segments
 {
 public:
@@ -34,15 +38,20 @@ public:
                      const Segment_memo& memo,
                      const Cut_set& set,
                      const Cut_options& options,
-                     Execution& execution)
-    : m_graphs(graphs), m_memo(memo), m_set(set), m_is_parallel(execution.is_parallel()), m_labels(graphs.node_of_face)
+                     Execution& execution,
+                     const std::vector<const Cut_set*>& coarser = {})
+    : m_graphs(graphs),
+      m_memo(memo),
+      m_set(set),
+      m_is_parallel(execution.is_parallel()),
+      m_labels(graphs.node_of_face)
   {
     number_leaves();
     for (Index& label : m_labels) // still the node
       label = m_leaf_of_node[label];
     if (options.moves_borders_on_faces && set.segments.size() > 1)
       move_borders(execution);
-    arrange();
+    arrange(coarser);
   }
 
   std::size_t number_of_segments() const { return m_set.segments.size(); }
@@ -55,10 +64,12 @@ public:
   // the cut whose border each has to its parent; none of the body
   const Cut_set::Made_cut* cut(std::size_t segment) const
   {
-    return segment == 0 ? nullptr : &m_set.cuts[m_cuts[segment]];
+    return m_cuts[segment] == no_cut ? nullptr : &m_set.cuts[m_cuts[segment]];
   }
 
 private:
+  static constexpr std::size_t no_cut = (std::numeric_limits<std::size_t>::max)(); // that of the body
+
   // The segments that are left are the leaves of the tree of cuts.
   void number_leaves()
   {
@@ -87,7 +98,8 @@ private:
       std::vector<Index> labels(m_graphs.groups->number_of_nodes());
       for (Index f = 0; f < m_labels.size(); ++f)
         labels[group[f]] = m_labels[f];
-      labels = Face_borders(*m_graphs.groups, std::move(labels), number_of_segments())(band_of_clusters, execution);
+      labels = Face_borders(*m_graphs.groups, std::move(labels), number_of_segments())(band_of_clusters,
+                                                                                       execution);
       for (Index f = 0; f < m_labels.size(); ++f)
         m_labels[f] = labels[group[f]];
     }
@@ -96,36 +108,103 @@ private:
   }
 
   // Gives the leaves their final numbers.
-  void arrange()
+  void arrange(const std::vector<const Cut_set*>& coarser)
   {
     std::vector<double> areas(number_of_segments(), 0);
     for (Index f = 0; f < m_labels.size(); ++f)
       areas[m_labels[f]] += m_graphs.fine.area[f];
-    const Borders_of_cuts::Lengths lengths = Border_arcs(m_graphs.fine, m_labels, m_is_parallel).lengths();
-    const Segment_tree tree(areas, Borders_of_cuts(lengths, sides_of_cuts())());
-    std::vector<std::pair<std::size_t, Index>> order; // by the border to the parent, the body first
-    for (Index leaf = 0; leaf < areas.size(); ++leaf)
-      order.emplace_back(leaf == tree.body() ? 0 : tree.border_to_parent(leaf) + 1, leaf);
-    std::sort(order.begin(), order.end());
+    const Segment_tree::Lengths lengths = Border_arcs(m_graphs.fine, m_labels, m_is_parallel).lengths();
+    const Segment_tree tree(areas, lengths);
+    const std::vector<std::size_t> cuts = cuts_of_borders(tree, lengths);
+    std::vector<Index> order(areas.size()); // by the cut, that of the body first
+    std::iota(order.begin(), order.end(), Index(0));
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return cuts[a] + 1 < cuts[b] + 1; });
+    order = order_with(tree, std::move(order), coarser);
     std::vector<Index> number(areas.size());
     for (Index s = 0; s < order.size(); ++s)
-      number[order[s].second] = s;
-    for (const auto& [border, leaf] : order)
+      number[order[s]] = s;
+    for (Index leaf : order)
     {
       m_parents.push_back(number[tree.parent(leaf)]);
       m_areas_beyond.push_back(tree.area_beyond(leaf));
-      m_cuts.push_back(border == 0 ? 0 : border - 1);
+      m_cuts.push_back(cuts[leaf]);
     }
     for (Index& label : m_labels)
       label = number[label];
   }
 
-  std::vector<Sides_of_cut> sides_of_cuts() const
+  // The order of the leaves, the body first, from that of their cuts.
+  std::vector<Index> order_with(const Segment_tree& tree,
+                                std::vector<Index> order,
+                                const std::vector<const Cut_set*>& coarser) const
   {
-    std::vector<Sides_of_cut> result;
-    for (const Cut_set::Made_cut& cut : m_set.cuts)
-      result.push_back({m_leaves.at(cut.inner), m_leaves.at(cut.outer)});
+    constexpr std::size_t most =
+      100; // segments for which others are looked at: it takes the cube of the number
+    Joining_order joining(tree, std::move(order));
+    while (joining.number_left() > 2)
+    {
+      const auto set = std::find_if(coarser.begin(), coarser.end(),
+                                    [&](const Cut_set* s)
+                                    { return s->segments.size() + 1 == joining.number_left(); });
+      if (set == coarser.end() || joining.number_left() > most)
+        joining.join_last();
+      else
+        joining.join_for(overlaps_with(**set));
+    }
+    return joining();
+  }
+
+  Joining_order::Overlaps overlaps_with(const Cut_set& set) const
+  {
+    Joining_order::Overlaps result(number_of_segments(), std::vector<double>(set.segments.size(), 0));
+    for (std::size_t j = 0; j < set.segments.size(); ++j)
+      for (Index node : m_memo[set.segments[j]].segment.nodes)
+        result[m_leaf_of_node[node]][j] += m_graphs.coarse.area[node];
     return result;
+  }
+
+  // Of every leaf the cut of its border to its parent: the one that separated the two. A cut that separated several gets the
+  // longest of these borders. The others get the cuts that are left, if possible one within the segment of which they came.
+  std::vector<std::size_t> cuts_of_borders(const Segment_tree& tree,
+                                           const Segment_tree::Lengths& lengths) const
+  {
+    const auto length = [&](Index leaf) { return lengths.at(std::minmax(leaf, tree.parent(leaf))); };
+    std::vector<std::size_t> result(number_of_segments(), no_cut);
+    std::vector<bool> is_left(m_set.cuts.size(), true);
+    for (const int nearness : {2, 1, 0})
+      for (std::size_t c = m_set.cuts.size(); c-- > 0;)
+      {
+        if (!is_left[c])
+          continue;
+        const std::vector<int> side = sides_of(m_set.cuts[c]);
+        std::optional<Index> longest;
+        for (Index leaf = 0; leaf < result.size(); ++leaf)
+          if (leaf != tree.body() && result[leaf] == no_cut &&
+              nearness_of(side, leaf, tree.parent(leaf)) >= nearness &&
+              (!longest || length(leaf) > length(*longest)))
+            longest = leaf;
+        if (!longest)
+          continue;
+        result[*longest] = c;
+        is_left[c] = false;
+      }
+    return result;
+  }
+
+  // Of every leaf: 1 if it is on the inner side of a cut, -1 on the outer, 0 on none.
+  std::vector<int> sides_of(const Cut_set::Made_cut& cut) const
+  {
+    std::vector<int> result(number_of_segments(), 0);
+    for (Index leaf : m_leaves.at(cut.inner))
+      result[leaf] = 1;
+    for (Index leaf : m_leaves.at(cut.outer))
+      result[leaf] = -1;
+    return result;
+  }
+
+  static int nearness_of(const std::vector<int>& side, Index leaf, Index parent)
+  {
+    return side[leaf] * side[parent] < 0 ? 2 : side[leaf] != 0 ? 1 : 0;
   }
 
   const Graphs_of_surface& m_graphs;
@@ -137,7 +216,7 @@ private:
   std::map<Index, std::vector<Index>> m_leaves; // in every segment of the memo that was one
   std::vector<Index> m_parents;                 // of every segment
   std::vector<double> m_areas_beyond;           // of every segment
-  std::vector<std::size_t> m_cuts;              // of every segment but the body
+  std::vector<std::size_t> m_cuts;              // of every segment
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal
