@@ -93,8 +93,8 @@ bool is_tip_in_body(const tool::Findings& findings, std::size_t face, std::size_
 void name_segments(tool::Findings& findings, const std::string& file)
 {
   findings.names.resize(findings.segmentation.number_of_segments);
-  const std::vector<std::size_t> segment_of_face = tool::spread(findings.segmentation.segment_ids,
-                                                                findings.mesh);
+  const std::vector<std::size_t> segment_of_face = tool::labels_of_file(findings.segmentation.segment_ids,
+                                                                        findings.mesh);
   for (const tool::Named_segment& named : tool::read_names(file))
   {
     if (named.face && *named.face >= segment_of_face.size())
