@@ -55,14 +55,20 @@ private:
     return std::binary_search(ascending.begin(), ascending.end(), node);
   }
 
-  // The nodes of the picked tips, and of further ones where there are few.
+  // The nodes of the picked tips, and where these are few of further ones that are about as far from each other.
   std::vector<Index> nodes_of_tips(Index whole, const std::vector<Index>& faces)
   {
+    constexpr double least_share_of_distance = 0.5; // nearer ones are not ends of other protrusions
+    double largest_distance = 0;
     std::vector<double> to_nearest_tip(m_graphs.coarse.number_of_nodes(), (std::numeric_limits<double>::max)());
     std::vector<Index> tips;
     while (!faces.empty() && tips.size() < (std::max)(faces.size(), least_number_of_tips))
     {
       const auto farthest = std::max_element(to_nearest_tip.begin(), to_nearest_tip.end());
+      if (!tips.empty())
+        largest_distance = (std::max)(largest_distance, *farthest);
+      if (tips.size() >= faces.size() && *farthest < least_share_of_distance * largest_distance)
+        break;
       tips.push_back(tips.size() < faces.size() ? m_graphs.node_of_face[faces[tips.size()]]
                                                 : static_cast<Index>(farthest - to_nearest_tip.begin()));
       const Nodes_by_distance from_tip = m_search.from_tip(m_memo[whole].segment, tips.back());
