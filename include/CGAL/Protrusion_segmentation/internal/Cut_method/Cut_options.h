@@ -33,7 +33,7 @@ struct Cut_clues
                            // other: 1 of a piece of a plane, 1/2 of a half sphere, near 0 of a limb; 0 of a flat sheet
 };
 
-// The weights of the clues, fitted to human segmentations of half of the development models of the Princeton
+// The weights of the clues, fitted to human segmentations of three quarters of the development models of the Princeton
 // benchmark by `fit_cut_weights`. Decisions and figures are in decisions.md of the benchmark.
 struct Cut_weights
 {
@@ -76,7 +76,7 @@ struct Cut_weights
 };
 
 // The constants of the default method that a benchmark may vary. Lengths are in units of the square root of
-// the area of the surface. All were chosen on half of the development models of the Princeton benchmark and lie
+// the area of the surface. All were chosen on three quarters of the development models of the Princeton benchmark and lie
 // on plateaus, unless said otherwise.
 struct Cut_options
 {
