@@ -69,12 +69,12 @@ void clusters_are_connected(const Test_mesh& mesh)
   }
 }
 
-// A shape of area 1 has about two thousand disks of the radius, however fine its triangles are.
+// A shape of area 1 has some 1,400 disks of the radius, however fine its triangles are.
 void their_number_does_not_depend_on_the_triangles()
 {
   const double coarse = clusters_of(icosphere(5)).number;
   const double fine = clusters_of(icosphere(6)).number;
-  CHECK(coarse > 1500 && coarse < 2500);
+  CHECK(coarse > 1200 && coarse < 1700);
   CHECK(fine > 0.9 * coarse && fine < 1.2 * coarse);
 }
 

@@ -35,7 +35,7 @@ void a_large_surface_has_as_many_nodes()
   const Indexed_surface surface = to_surface(icosphere(7)); // 327,680 faces
   const Graphs_of_surface graphs = graphs_of(surface);
   CHECK(graphs.groups.has_value());
-  CHECK(graphs.coarse.number_of_nodes() > 1500 && graphs.coarse.number_of_nodes() < 2500);
+  CHECK(graphs.coarse.number_of_nodes() > 1200 && graphs.coarse.number_of_nodes() < 1700);
   check_segments(graphs.fine, graphs.node_of_face, graphs.coarse.number_of_nodes());
   check_segments(graphs.fine, graphs.group_of_face, graphs.groups->number_of_nodes());
 }

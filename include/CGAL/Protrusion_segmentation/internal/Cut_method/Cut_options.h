@@ -51,7 +51,7 @@ struct Cut_weights
   double smaller_shoulder = 1;
   double roundness = -0.6;
   double neighbors = -1;
-  double surrounded = -6; // what has little but earlier borders around it is a part of the core between limbs
+  double surrounded = -3; // what has little but earlier borders around it is a part of the core between limbs
   double most_neighbors = 1.2;
   double mean_cost = -0.8;
   double thickness = 0.3;

@@ -58,7 +58,7 @@ private:
   // The nodes of the picked tips, and where these are few of further ones that are about as far from each other.
   std::vector<Index> nodes_of_tips(Index whole, const std::vector<Index>& faces)
   {
-    constexpr double least_share_of_distance = 0.5; // nearer ones are not ends of other protrusions
+    constexpr double least_share_of_distance = 0.35; // nearer ones are not ends of other protrusions
     double largest_distance = 0;
     std::vector<double> to_nearest_tip(m_graphs.coarse.number_of_nodes(), (std::numeric_limits<double>::max)());
     std::vector<Index> tips;
