@@ -214,8 +214,29 @@ void tips_may_be_in_cavities()
   CHECK_EQUAL(labels[inside.front()], 1);
 }
 
+// A hole through which the hollow can be drained makes one surface of both walls: the inner one goes in and is no protrusion.
+void hollows_may_have_holes()
+{
+  Cubes cubes, hollow;
+  add_cubes(cubes, {-15, -15, -15}, {15, 15, 15});
+  add_cubes(cubes, {15, -4, -4}, {40, 4, 4});
+  add_cubes(hollow, {-13, -13, -13}, {13, 13, 13});
+  add_cubes(hollow, {-1, -1, -15}, {1, 1, -13});
+  for (const auto& cube : hollow)
+    cubes.erase(cube);
+  const Test_mesh mesh = voxels(cubes);
+  const Labels labels = segment(mesh);
+  for (std::size_t f = 0; f < labels.size(); ++f)
+  {
+    const double x = centroid(mesh, mesh.faces[f])[0];
+    if (x < 13 || x > 17)
+      CHECK_EQUAL(labels[f], x < 13 ? 0u : 1u);
+  }
+}
+
 int main()
 {
+  hollows_may_have_holes();
   inner_walls_have_the_labels_of_the_outer_ones();
   cavities_are_not_counted();
   solids_in_cavities_are_segments();
