@@ -79,8 +79,8 @@ def segment(
     """
     count = None if number_of_segments is None else _integer("number_of_segments", number_of_segments)
     choices = _choices(method, distance)
-    options = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
-    return _core.segment(*_arrays(vertices, faces), count, *choices, *options)
+    seed, tolerance, gap = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
+    return _core.segment(*_arrays(vertices, faces), count, *choices, seed, tolerance, gap)
 
 
 def segment_from_tips(
@@ -107,8 +107,8 @@ def segment_from_tips(
     """
     picked = _integers("tips", tips).tolist()
     choices = _choices(method, distance)
-    options = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
-    return _core.segment_from_tips(*_arrays(vertices, faces), picked, *choices, *options)
+    seed, tolerance, gap = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
+    return _core.segment_from_tips(*_arrays(vertices, faces), picked, *choices, seed, tolerance, gap)
 
 
 @dataclass(frozen=True, eq=False)  # arrays have no one answer to whether they are equal
@@ -163,8 +163,8 @@ def hierarchy(
     """
     count = _integer("maximum_number_of_segments", maximum_number_of_segments)
     choices = _choices(method, distance)
-    options = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
-    labels, parents = _core.hierarchy(*_arrays(vertices, faces), count, *choices, *options)
+    seed, tolerance, gap = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
+    labels, parents = _core.hierarchy(*_arrays(vertices, faces), count, *choices, seed, tolerance, gap)
     return Hierarchy(parents=parents, finest_labels=labels)
 
 
@@ -190,7 +190,7 @@ def tips(
         The faces at the tips, in the order of selection in each connected component.
     """
     count = _integer("number_of_tips", number_of_tips)
-    options = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
+    seed, tolerance, gap = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
     return _core.tips(*_arrays(vertices, faces), count, _choice("distance", distance, get_args(Distance)), *options)
 
 
