@@ -191,7 +191,8 @@ def tips(
     """
     count = _integer("number_of_tips", number_of_tips)
     seed, tolerance, gap = _seed(random_seed), _tolerance(snapping_tolerance), _gap(join_pieces)
-    return _core.tips(*_arrays(vertices, faces), count, _choice("distance", distance, get_args(Distance)), *options)
+    choice = _choice("distance", distance, get_args(Distance))
+    return _core.tips(*_arrays(vertices, faces), count, choice, seed, tolerance, gap)
 
 
 class Metrics(NamedTuple):
