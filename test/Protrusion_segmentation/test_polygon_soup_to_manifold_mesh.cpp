@@ -232,20 +232,6 @@ Test_mesh with_faces(Test_mesh mesh, const std::vector<Face>& faces)
   return mesh;
 }
 
-// Every face with points of its own.
-Test_mesh exploded(const Test_mesh& mesh)
-{
-  Test_mesh result;
-  for (const Face& face : mesh.faces)
-  {
-    Face own;
-    for (const std::size_t v : face)
-      own.push_back(result.add_point(mesh.points[v]));
-    result.add_face(own);
-  }
-  return result;
-}
-
 void clean_meshes_are_unchanged()
 {
   for (const Test_mesh& soup : {box(), triangulated(box(2, 3, 1)), icosphere(2), football(), sheet(4, 3), torus()})

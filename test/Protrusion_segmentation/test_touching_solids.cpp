@@ -73,20 +73,6 @@ Found repaired(const Test_mesh& soup)
   return result;
 }
 
-// Every face with points of its own, as in STL.
-Test_mesh exploded(const Test_mesh& mesh)
-{
-  Test_mesh result;
-  for (const Face& face : mesh.faces)
-  {
-    Face own;
-    for (const std::size_t v : face)
-      own.push_back(result.add_point(mesh.points[v]));
-    result.add_face(own);
-  }
-  return result;
-}
-
 // Every point once.
 Test_mesh with_shared_points(const Test_mesh& mesh)
 {

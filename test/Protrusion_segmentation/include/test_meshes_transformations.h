@@ -86,6 +86,20 @@ inline Test_mesh with_face_order(const Test_mesh& mesh, const std::vector<std::s
   return result;
 }
 
+// Every face with points of its own, as in STL.
+inline Test_mesh exploded(const Test_mesh& mesh)
+{
+  Test_mesh result;
+  for (const Face& face : mesh.faces)
+  {
+    Face own;
+    for (const std::size_t v : face)
+      own.push_back(result.add_point(mesh.points[v]));
+    result.add_face(own);
+  }
+  return result;
+}
+
 inline Test_mesh with_reversed_orientation(Test_mesh mesh)
 {
   for (Face& face : mesh.faces)

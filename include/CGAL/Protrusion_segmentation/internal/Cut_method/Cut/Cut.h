@@ -61,8 +61,8 @@ public:
       m_minimum_cut(partition, distances)
   {}
 
-  // The cut around some nodes of a segment, both sides made connected, or the minimum cut near it if this is cheaper for the
-  // areas of its sides; none if a side is too small to be a segment.
+  // The cut around some nodes of a segment, both sides made connected. The minimum cut near it takes its place if that is
+  // cheaper for the areas of its sides. There is none if a side is too small to be a segment.
   std::optional<Cut> cut_around(const Segment& segment, const Nodes& nodes)
   {
     Bisection bisection(m_partition, segment);
