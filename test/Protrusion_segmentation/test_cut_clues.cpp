@@ -122,6 +122,15 @@ void a_cut_ring_is_a_tube()
   CHECK_CLOSE(end.neighbors, std::log(2.), precision);
 }
 
+// Triangles along a cut do not all share edges with each other.
+void triangles_along_one_loop_are_one_loop()
+{
+  const Test_mesh cylinder = triangulated(closed_cylinder(1, 8, 0.2)), ring = triangulated(torus(2, 0.5, 48, 16));
+  CHECK_EQUAL(Cut_mesh(cylinder).clues(below(2, 4)).several_loops, 0);
+  CHECK_EQUAL(Cut_mesh(triangulated(sheet(20, 8))).clues(below(0, 10)).several_loops, 0);
+  CHECK_EQUAL(Cut_mesh(ring).clues(below(1, 0)).several_loops, 1);
+}
+
 // Where a ball begins there is a seam, behind which the surface widens; on the bar there is neither.
 void a_dumbbell()
 {
@@ -183,6 +192,23 @@ void a_bump_is_no_shoulder()
   CHECK(with_bump.larger_widening > clues.larger_widening + 0.05);
   CHECK_CLOSE(with_bump.larger_shoulder, 0, precision);
   CHECK_CLOSE(with_bump.smaller_shoulder, 0, precision);
+}
+
+// The last arm of a cross is seen to stick out after the others have been cut off; the core is no wider for them.
+void earlier_cuts_keep_the_shoulder()
+{
+  Cubes cubes;
+  add_cubes(cubes, {-12, -2, -2}, {12, 2, 2});
+  add_cubes(cubes, {-2, -12, -2}, {2, 12, 2});
+  add_cubes(cubes, {-3, -3, -2}, {3, 3, 2});
+  const auto arm = [](const Point& p) { return p[0] > 3.1; };
+  const Cut_clues whole = Cut_mesh(voxels(cubes)).clues(arm);
+  Cut_mesh cross(voxels(cubes));
+  cross.cut_off([](const Point& p) { return p[1] > 3.1; });
+  cross.cut_off([](const Point& p) { return p[1] < -3.1; });
+  const Cut_clues last = cross.clues(arm);
+  CHECK_CLOSE(last.larger_shoulder, whole.larger_shoulder, precision);
+  CHECK(last.larger_widening < whole.larger_widening);
 }
 
 // A trough is cut from border to border: its opening is that of the cut, wherever the trough lies.
@@ -290,9 +316,11 @@ int main()
   round_openings_are_rounder_than_flat_ones();
   a_ring_is_cut_in_two_places();
   a_cut_ring_is_a_tube();
+  triangles_along_one_loop_are_one_loop();
   a_dumbbell();
   a_rod_on_a_plate();
   a_bump_is_no_shoulder();
+  earlier_cuts_keep_the_shoulder();
   a_trough_may_lie_anywhere();
   a_low_block_is_flat();
   pockets_go_in();

@@ -56,7 +56,7 @@ struct Cut_weights
   double mean_cost = -0.8;
   double thickness = 0.3;
   double pocket = -10; // what goes in is no protrusion
-  double several_loops = -0.8;
+  double several_loops = -1.2;
   double flatness = -12; // a hill, a scale or a pocket faces one way as a whole and is no protrusion
   double least_flatness = 0.6;
 

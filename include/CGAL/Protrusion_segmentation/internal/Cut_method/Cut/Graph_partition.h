@@ -124,14 +124,20 @@ public:
     return {std::move(inside), std::move(outside)};
   }
 
-  // Whether some nodes, at least one, are connected with each other.
+  // Whether some nodes, at least one, are connected over each other and their neighbors. Triangles around a vertex need
+  // these: not all of them share edges with each other.
   bool are_connected(const Nodes& nodes)
   {
     const std::uint32_t in_set = m_stamp + 1;
     m_stamp += 2;
     for (Index i : nodes)
+    {
       m_visits[i] = in_set;
-    return extend(nodes.front(), [&](Index j) { return m_visits[j] == in_set; }).size() == nodes.size();
+      for (Index arc : m_graph.arcs(i))
+        m_visits[m_graph.target[arc]] = in_set;
+    }
+    extend(nodes.front(), [&](Index j) { return m_visits[j] == in_set; });
+    return std::none_of(nodes.begin(), nodes.end(), [&](Index i) { return m_visits[i] == in_set; });
   }
 
   // The nodes connected to `seed` over nodes for which `is_inside` holds.
