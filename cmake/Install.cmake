@@ -11,10 +11,11 @@ write_basic_package_version_file(
   COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES
   cmake/Protrusion_segmentationComponents.cmake
-  cmake/methods.cpp
   ${CMAKE_CURRENT_BINARY_DIR}/Protrusion_segmentationConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/Protrusion_segmentationConfigVersion.cmake
   DESTINATION ${config_folder})
+install(FILES cmake/compiled/minimum_cut_method.cpp cmake/compiled/histogram_method.cpp cmake/compiled/canonical_surface.cpp
+  DESTINATION ${config_folder}/compiled)
 
 set(documentation_folder ${CMAKE_INSTALL_DATAROOTDIR}/doc/protrusion-segmentation)
 install(FILES README.md CHANGES.md DESTINATION ${documentation_folder})
