@@ -159,7 +159,8 @@ private:
   // What was written in a format, or the first part of it.
   fs::path output(const Mesh_in_collection& mesh, const std::string& format) const
   {
-    return m_options.caps.empty() || format == "html" || !holds_a_mesh("mesh." + format)
+    return m_options.caps.empty() || format == "html" || !holds_a_mesh("mesh." + format) ||
+               holds_parts("mesh." + format)
              ? path(mesh, format)
              : folder_of_parts(mesh) / ("0." + format);
   }

@@ -103,12 +103,14 @@ void check_outputs(const Command_line& command_line)
   for (const std::string& name : outputs)
     check_output_name(name);
   const std::vector<std::string>& formats = command_line.formats; // of a collection
-  if (!command_line.caps.empty() && std::none_of(outputs.begin(), outputs.end(), is_pattern) &&
+  if (!command_line.caps.empty() &&
+      std::none_of(outputs.begin(), outputs.end(),
+                   [](const std::string& name) { return is_pattern(name) || holds_parts(name); }) &&
       std::none_of(formats.begin(), formats.end(),
                    [](const std::string& format)
                    { return format != "html" && holds_a_mesh("mesh." + format); }))
     throw std::invalid_argument(
-      "--close has no meaning without a %d or %s in the name of an output, or --format "
+      "--close has no meaning without a %d or %s in the name of an output, or .3mf, or --format "
       "with a format of meshes");
   if (!command_line.borders.empty() && lower_case_extension(command_line.borders) != ".vtp")
     throw std::invalid_argument("--borders: '" + command_line.borders + "' has not the extension .vtp");
@@ -124,7 +126,11 @@ void check_names(const Command_line& command_line)
 {
   std::vector<std::string> names, patterns;
   for (const std::string& name : command_line.outputs)
+  {
     (is_pattern(name) ? patterns : names).push_back(name);
+    if (const std::string companion = companion_of(name); !companion.empty())
+      names.push_back(companion);
+  }
   for (const std::string& name : {command_line.json, command_line.report, command_line.borders})
     if (!name.empty())
       names.push_back(name);
@@ -162,6 +168,7 @@ void check(const CLI::App& app, const Command_line& command_line)
     check_meanings(app, methods(), command_line.options.method);
     check_meanings(app, distances(), command_line.options.distance);
     check_options(command_line.options);
+    check_format_options(command_line.options.formats);
     check_inputs(command_line);
     check_collection(app, command_line);
     check_labels(app, command_line);

@@ -183,9 +183,8 @@ void add_options_of_meshes(CLI::App& app, Command_line& command_line, const char
     ->group(group);
   app
     .add_flag("--close{flat}", command_line.caps,
-              "close the meshes of -o with %d or %s, or of --format, where they were cut off. If the "
-              "input is closed, so "
-              "are they.\n"
+              "close the meshes of -o with %d or %s, of -o FILE.3mf, or of --format, where they were cut "
+              "off. If the input is closed, so are they.\n"
               "flat: caps that two meshes share; volumes add up to that of the input (the default)\n"
               "faired: rounded caps, separate for each mesh; slow for long rims")
     ->check(CLI::IsMember({"flat", "faired"}).description(""))
@@ -199,10 +198,35 @@ void add_options_of_meshes(CLI::App& app, Command_line& command_line, const char
     ->group(group);
 }
 
+void add_options_of_formats(CLI::App& app, Format_options& options, const char* group)
+{
+  app
+    .add_flag("--triangulate", options.are_faces_triangulated,
+              "write faces of more than three corners as triangles, as slicers need them in OBJ. Each triangle "
+              "has the number of its old face where the format has a place.")
+    ->group(group);
+  app
+    .add_flag("--one-object", options.is_one_object,
+              "in glTF, write one object with a material for each segment, in place of an object for each")
+    ->group(group);
+  app
+    .add_option("--up", options.up, "axis of the mesh that points up, for glTF and USD; coordinates stay")
+    ->check(CLI::IsMember({"y", "z"}).description(""))
+    ->type_name("y|z")
+    ->capture_default_str()
+    ->group(group);
+  app
+    .add_option("--array-name", options.array_name, "name of the array of segments in VTP, such as Label")
+    ->type_name("NAME")
+    ->capture_default_str()
+    ->group(group);
+}
+
 void add_output_options(CLI::App& app, Command_line& command_line)
 {
   const char* group = "Output";
   add_options_of_meshes(app, command_line, group);
+  add_options_of_formats(app, command_line.options.formats, group);
   app
     .add_option(
       "--borders", command_line.borders,

@@ -37,7 +37,7 @@ std::vector<double> read_VTP_labels(const std::string& bytes);
 #endif
 inline bool is_label(std::string_view name)
 {
-  return name == "segment" || name == "segments" || name == "label" || name == "labels";
+  return name == "segment" || name == "segments" || name == "label" || name == "labels" || name == "Label";
 }
 
 // `rest` is what follows the header line of a binary file, which says what vertices carry.

@@ -197,7 +197,7 @@ std::vector<std::string> part_names(const std::string& name, const Output_names&
   const std::size_t number = findings.segmentation.number_of_segments;
   if (names.have_numbers)
     return is_pattern(name) ? names_of_parts(name, number, findings.names) : std::vector<std::string>();
-  if (names.folder_of_parts.empty() || !holds_a_mesh(name))
+  if (names.folder_of_parts.empty() || !holds_a_mesh(name) || holds_parts(name))
     return {};
   std::vector<std::string> result = names_of_parts("%d" + lower_case_extension(name), number, {});
   for (std::string& part : result)
@@ -262,7 +262,11 @@ void check_can_be_written(const Output_names& names)
 {
   for (const std::string& name : names.segments)
     if (!is_pattern(name))
+    {
       Output_files::check(name);
+      if (const std::string companion = companion_of(name); !companion.empty())
+        Output_files::check(companion);
+    }
   for (const std::string& name : {names.json, names.report, names.borders})
     if (!name.empty())
       Output_files::check(name);
@@ -290,12 +294,15 @@ void write_findings(Findings& findings, const Output_names& names, const Recorde
     begin(name);
     const Segmented_soup& whole = findings.smoothed && holds_a_mesh(name) ? cut : segmented;
     const std::vector<std::string> parts = part_names(name, names, findings);
-    if (parts.empty())
-      add_output(name, whole, files);
+    const Format_options& options = findings.options.formats;
+    if (parts.empty() && names.caps != Caps::NONE && holds_parts(name))
+      add_output_of_parts(name, make_closed_parts(findings, names.caps), files);
+    else if (parts.empty())
+      add_output(name, whole, options, files);
     else if (names.caps != Caps::NONE)
-      add_parts(parts, make_closed_parts(findings, names.caps), files);
+      add_parts(parts, make_closed_parts(findings, names.caps), options, files);
     else
-      add_parts(parts, parts_of(whole, findings.segmentation.number_of_segments), files);
+      add_parts(parts, parts_of(whole, findings.segmentation.number_of_segments), options, files);
   }
   findings.mesh.soup = std::move(segmented.soup);
   if (!names.report.empty())

@@ -265,7 +265,11 @@ Json describe(const Segmentation_options& options)
     .add("join_pieces", options.are_pieces_joined)
     .add_if(options.gap.has_value(), "gap", options.gap.value_or(0))
     .add_if(options.weld_distance.has_value(), "weld_distance", options.weld_distance.value_or(0))
-    .add_if(!options.caps.empty(), "caps", options.caps);
+    .add_if(!options.caps.empty(), "caps", options.caps)
+    .add("triangulate", options.formats.are_faces_triangulated)
+    .add("one_object", options.formats.is_one_object)
+    .add("up", options.formats.up)
+    .add("array_name", options.formats.array_name);
   return object.take();
 }
 
