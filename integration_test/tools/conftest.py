@@ -6,7 +6,7 @@
 The environment says which tools are tested:
     PROTRUSION_SEGMENTATION_TOOLS      the folder of the programs
     PROTRUSION_SEGMENTATION_LIBRARIES  the libraries that they were built with, separated by commas,
-                                       of tbb, lib3mf, vtk, three.js
+                                       of tbb, lib3mf, vtk, tinygltf, three.js
 """
 
 import os

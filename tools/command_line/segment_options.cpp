@@ -102,7 +102,7 @@ void add_segmentation_options(CLI::App& app, Command_line& command_line)
   app
     .add_option(
       "--labels", options.labels,
-      "take the segments from a file instead: .seg, .npy, or face data \"segment\" or \"label\" of a "
+      "take the segments from a file instead: .seg, .npy, .json, or face data \"segment\" or \"label\" of a "
       "PLY or VTP file, as of INPUT itself")
     ->excludes("--segments")
     ->excludes("--tips")
