@@ -13,6 +13,7 @@
 #include "command_line/segment_options.h"
 #include "command_line/tool_main.h"
 #include "segmentation/segment_file.h"
+#include "segmentation/write_findings.h"
 #include "writing/outputs.h"
 #include "writing/part_names.h"
 #include "writing/write_output.h"

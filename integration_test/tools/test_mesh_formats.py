@@ -291,6 +291,23 @@ def test_parts_of_any_format(segment, teddy, tmp_path, extension):
     assert names_in(tmp_path / "parts") == [f"0.{extension}", f"1.{extension}"]
 
 
+@pytest.mark.parametrize("extension, library", [
+    ("off", ""), ("obj", ""), ("ply", ""), ("stl", ""), ("3mf", "lib3mf"), ("glb", "tinygltf"), ("vtp", "vtk")])
+@pytest.mark.parametrize("options", [[], ["--close"]])
+def test_parts_land_in_place(segment, tmp_path, libraries, extension, library, options):
+    """Files of parts, read one by one, are together where the mesh is."""
+    if library and library not in libraries:
+        pytest.skip(f"{library} was not found")
+    (tmp_path / "a.off").write_text(QUADS)
+    segment("a.off", "-k", 2, "-o", f"%d.{extension}", *options)
+    points = []
+    for number in range(2):
+        segment(f"{number}.{extension}", *"-k 1 -o b.off".split())
+        points.append(OffFile(tmp_path / "b.off").points)
+    expected = OffFile.parse(QUADS).points
+    assert {tuple(point) for point in np.vstack(points)} == {tuple(point) for point in expected}
+
+
 def test_materials_cannot_be_written(segment, teddy, tmp_path):
     (tmp_path / "a.mtl").mkdir()
     segment.refuses(teddy, "-o", "a.obj", message="a.mtl: cannot be written")

@@ -10,6 +10,7 @@
 #include "command_line/Progress_bar.h"
 #include "reading/read_soup.h"
 #include "segmentation/segment_file.h"
+#include "segmentation/write_findings.h"
 #include "writing/json.h"
 #include "writing/outputs.h"
 #include "writing/part_names.h"

@@ -77,6 +77,8 @@ struct Findings
     return smoothed ? smoothed->segment_ids : segmentation.segment_ids;
   }
 
+  void add_note(const std::string& more) { note += (note.empty() || more.empty() ? "" : "; ") + more; }
+
   double seconds() const { return seconds_for_file + segmentation.seconds; }
 };
 
