@@ -128,7 +128,7 @@ void segment_one(const tool::Command_line& command_line)
   tool::Segmentation_options options = command_line.options;
   if (!command_line.tips.empty())
     options.tips = tool::read_tips(command_line.tips);
-  tool::check_can_be_written(names);
+  tool::check_can_be_written(names, options.formats);
   tool::Progress_bar bar(!command_line.is_quiet && tool::is_standard_error_a_terminal(),
                          is_large(command_line.inputs.front()) ? std::chrono::seconds(0)
                                                                : std::chrono::seconds(2));

@@ -128,7 +128,7 @@ void check_names(const Command_line& command_line)
   for (const std::string& name : command_line.outputs)
   {
     (is_pattern(name) ? patterns : names).push_back(name);
-    if (const std::string companion = companion_of(name); !companion.empty())
+    if (const std::string companion = companion_of(name, command_line.options.formats); !companion.empty())
       names.push_back(companion);
   }
   for (const std::string& name : {command_line.json, command_line.report, command_line.borders})

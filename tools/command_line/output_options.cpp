@@ -56,6 +56,15 @@ void add_options_of_formats(CLI::App& app, Format_options& options, const char* 
               "in glTF, write one object with a material for each segment, in place of an object for each")
     ->group(group);
   app
+    .add_option_function<std::string>(
+      "--colors", [&](const std::string& choice) { options.are_colors_of_input = choice == "input"; },
+      "segments: colours and materials are those of segments (the default)\n"
+      "input: they are those of the input where it has some: vertex colours in PLY, OBJ and glTF, "
+      "materials in OBJ. Texture coordinates and normals stay in any case.")
+    ->check(CLI::IsMember({"segments", "input"}).description(""))
+    ->type_name("NAME")
+    ->group(group);
+  app
     .add_option("--up", options.up, "axis of the mesh that points up, for glTF and USD; coordinates stay")
     ->check(CLI::IsMember({"y", "z"}).description(""))
     ->type_name("y|z")

@@ -8,6 +8,7 @@
 
 #include "reading/Format_error.h"
 #include "reading/Gltf_accessors.h"
+#include "reading/Gltf_attributes.h"
 
 #include <CGAL/Aff_transformation_3.h>
 
@@ -104,6 +105,7 @@ public:
   {
     for (const int root : roots())
       add_node(root, Transformation(CGAL::IDENTITY), 0);
+    m_soup.attributes = m_attributes.take(m_soup.polygons);
     return std::move(m_soup);
   }
 
@@ -148,6 +150,7 @@ private:
     for (std::size_t i = 0; i < coordinates.size(); i += 3)
       m_soup.points.push_back(
         transform.transform(Point(coordinates[i], coordinates[i + 1], coordinates[i + 2])));
+    m_attributes.add(primitive, coordinates.size() / 3, transform);
     add_triangles(corners_of(primitive, coordinates.size() / 3, first), mode, transform.is_odd());
   }
 
@@ -187,6 +190,7 @@ private:
 
   const tinygltf::Model& m_model;
   Gltf_accessors m_accessors;
+  Gltf_attributes m_attributes{m_accessors};
   Polygon_soup m_soup;
   std::size_t m_number_of_nodes = 0;
 };

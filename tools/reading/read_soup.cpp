@@ -134,8 +134,10 @@ Polygon_soup read_checked(const std::string& file_name)
   if (format == nullptr)
     throw Format_error("is in the format " + extension.substr(1) + ", which was not built in (known are " +
                        known_formats() + ")");
-  const Polygon_soup soup = format->read ? format->read(bytes)
+  Polygon_soup soup = format->read ? format->read(bytes)
                                          : format->read_with_others(bytes, folder_of(file_name));
+  for (std::string& file : soup.attributes.material_files)
+    file = (std::filesystem::path(folder_of(file_name)) / file).string();
   check(soup);
   return soup;
 }

@@ -9,6 +9,7 @@
 #include "segmentation/timing.h"
 #include "writing/Output_files.h"
 #include "writing/borders.h"
+#include "writing/carried_attributes.h"
 #include "writing/closed_parts.h"
 #include "writing/faired_parts.h"
 #include "writing/json.h"
@@ -54,7 +55,7 @@ std::vector<Segmented_soup> make_closed_parts(const Findings& findings, Caps cap
 }
 
 // The mesh with smooth borders, in faces that know which of the file they are a piece of.
-Segmented_soup soup_of(const Findings& findings)
+Segmented_soup soup_of(const Findings& findings, const Polygon_soup& file)
 {
   const Smoothed_mesh& smoothed = *findings.smoothed;
   Segmented_soup result;
@@ -69,6 +70,8 @@ Segmented_soup soup_of(const Findings& findings)
     result.old_faces.push_back(findings.mesh.face_in_file[smoothed.old_faces[face]]);
   }
   result.segments = smoothed.segment_ids;
+  if (!findings.mesh.has_joined_pieces()) // whose surface is not that of the file
+    result.soup.attributes = attributes_of_pieces(file, result.soup, result.old_faces);
   return result;
 }
 
@@ -96,13 +99,13 @@ std::vector<std::string> part_names(const std::string& name, const Output_names&
 
 } // namespace
 
-void check_can_be_written(const Output_names& names)
+void check_can_be_written(const Output_names& names, const Format_options& options)
 {
   for (const std::string& name : names.segments)
     if (!is_pattern(name))
     {
       Output_files::check(name);
-      if (const std::string companion = companion_of(name); !companion.empty())
+      if (const std::string companion = companion_of(name, options); !companion.empty())
         Output_files::check(companion);
     }
   for (const std::string& name : {names.json, names.report, names.borders})
@@ -125,7 +128,7 @@ void write_findings(Findings& findings, const Output_names& names, const Recorde
                               labels_of_file(findings.segmentation.segment_ids, findings.mesh), {}, findings.names};
   if (names.caps != Caps::NONE)
     findings.add_note(note_on_boundary(findings.mesh.mesh));
-  const Segmented_soup cut = findings.smoothed ? soup_of(findings) : Segmented_soup();
+  const Segmented_soup cut = findings.smoothed ? soup_of(findings, segmented.soup) : Segmented_soup();
   Output_files files;
   for (const std::string& name : names.segments)
   {

@@ -34,7 +34,7 @@ struct Output_names
 };
 
 // Throws an `Error` if one of them cannot be written. Good to know before a long computation.
-void check_can_be_written(const Output_names& names);
+void check_can_be_written(const Output_names& names, const Format_options& options);
 
 // Writes all or, with an `Error`, nothing. Notes how long it takes.
 void write_findings(Findings& findings, const Output_names& names, const Recorder::Progress& progress = {});

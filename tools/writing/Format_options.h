@@ -15,6 +15,7 @@ struct Format_options
   bool are_faces_triangulated = false;
   bool is_one_object = false;         // of glTF: one mesh of many primitives, or a node for each segment
   std::string up = "y";               // the axis of the mesh that points up, "y" or "z"
+  bool are_colors_of_input = false; // vertex colours and materials, in place of those of segments
   std::string array_name = "segment"; // in VTP
 };
 

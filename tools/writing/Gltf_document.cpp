@@ -111,9 +111,9 @@ std::size_t Gltf_document::add_corners(const std::vector<std::uint32_t>& corners
                               {"type", "SCALAR"}});
 }
 
-std::size_t Gltf_document::add_material(std::size_t segment, const std::string& name)
+std::size_t Gltf_document::add_material(std::size_t segment, const std::string& name, bool is_white)
 {
-  const CGAL::IO::Color color = segment_color(segment);
+  const CGAL::IO::Color color = is_white ? CGAL::IO::white() : segment_color(segment);
   return append("materials",
                 {{"name", name},
                  {"doubleSided", true},

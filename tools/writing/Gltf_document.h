@@ -39,7 +39,8 @@ public:
   std::size_t add_matrices(const std::vector<float>& numbers);
   std::size_t add_corners(const std::vector<std::uint32_t>& corners);
 
-  std::size_t add_material(std::size_t segment, const std::string& name);
+  // White if vertices have the colours.
+  std::size_t add_material(std::size_t segment, const std::string& name, bool is_white = false);
 
   void set_roots(const std::vector<std::size_t>& nodes) { m_json["scenes"][0]["nodes"] = nodes; }
 

@@ -4,6 +4,7 @@
 
 #include "writing/Segmented_soup.h"
 
+#include "writing/carried_attributes.h"
 #include "writing/part_names.h"
 #include "writing/triangles.h"
 
@@ -36,6 +37,7 @@ Segmented_soup part_of(const Segmented_soup& whole, const std::vector<std::size_
   Segmented_soup part;
   part.names = whole.names;
   std::map<std::size_t, std::size_t> indices;
+  std::vector<std::size_t> points;
   for (const std::size_t face : faces)
   {
     part.segments.push_back(whole.segments[face]);
@@ -46,10 +48,14 @@ Segmented_soup part_of(const Segmented_soup& whole, const std::vector<std::size_
     {
       const auto [position, is_new] = indices.emplace(corner, part.soup.points.size());
       if (is_new)
+      {
         part.soup.points.push_back(whole.soup.points[corner]);
+        points.push_back(corner);
+      }
       part.soup.polygons.back().push_back(position->second);
     }
   }
+  part.soup.attributes = attributes_of_part(whole.soup.attributes, faces, points);
   return part;
 }
 
@@ -68,6 +74,7 @@ Segmented_soup triangulated(const Segmented_soup& segmented)
   Segmented_soup result;
   result.names = segmented.names;
   result.soup.points = segmented.soup.points;
+  result.soup.attributes = attributes_of_triangles(segmented.soup);
   for (std::size_t face = 0; face < segmented.segments.size(); ++face)
     for_each_triangle(segmented.soup.polygons[face],
                       [&](auto a, auto b, auto c)

@@ -22,6 +22,7 @@ struct Output
   const Segmented_soup& surface;
   const Format_options& options;
   std::string companion; // the name of the file beside it; empty: there is none
+  std::string folder;    // that the file is in
 };
 
 void write_SEG(std::ostream& out, const Output& output);
@@ -31,7 +32,8 @@ void write_NPY(std::ostream& out, const Output& output);
 
 void write_OFF(std::ostream& out, const Output& output);
 
-// The faces segment by segment, each a group with a material of the companion.
+// The faces segment by segment, each a group with a material of the companion, or of the input's; with what the input has at
+// corners.
 void write_OBJ(std::ostream& out, const Output& output);
 void write_MTL(std::ostream& out, const Output& output);
 

@@ -45,7 +45,7 @@ Gltf_document make_document(const Output& output)
   Gltf_document document;
   const Gltf_frame frame(output.surface.soup.points, output.options.up);
   document.set_roots(frame.add_root(
-    add_nodes(add_primitives(output.surface, frame, document), output.options.is_one_object, document),
+    add_nodes(add_primitives(output, frame, document), output.options.is_one_object, document),
     document));
   return document;
 }

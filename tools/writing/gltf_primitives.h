@@ -6,7 +6,7 @@
 #define PROTRUSION_SEGMENTATION_TOOLS_WRITING_GLTF_PRIMITIVES_H
 
 #include "writing/Gltf_document.h"
-#include "writing/Segmented_soup.h"
+#include "writing/formats.h"
 
 #include <array>
 #include <cstddef>
@@ -48,7 +48,7 @@ using Add_attributes =
   std::function<void(std::size_t segment, std::size_t vertices, Gltf_document::Json& attributes)>;
 
 // Of all segments that have triangles.
-std::vector<Segment_primitive> add_primitives(const Segmented_soup& segmented,
+std::vector<Segment_primitive> add_primitives(const Output& output,
                                               const Gltf_frame& frame,
                                               Gltf_document& document,
                                               const Add_attributes& add_attributes = {});

@@ -268,6 +268,7 @@ Json describe(const Segmentation_options& options)
     .add_if(!options.caps.empty(), "caps", options.caps)
     .add("triangulate", options.formats.are_faces_triangulated)
     .add("one_object", options.formats.is_one_object)
+    .add("colors", options.formats.are_colors_of_input ? "input" : "segments")
     .add("up", options.formats.up)
     .add("array_name", options.formats.array_name);
   return object.take();

@@ -87,7 +87,8 @@ void write(const std::string& name,
   const Format& format = *find_format(name);
   if (format.is_in_single_precision)
     check_single_precision(name, segmented.soup.points);
-  const Output output = {segmented, options, std::filesystem::path(companion).filename().string()};
+  const Output output = {segmented, options, std::filesystem::path(companion).filename().string(),
+                         std::filesystem::path(name).parent_path().string()};
   files.add(name, [&](std::ostream& out) { format.write(out, output); });
   if (!companion.empty())
     files.add(companion, [&](std::ostream& out) { write_MTL(out, output); });
@@ -121,9 +122,9 @@ bool holds_parts(const std::string& name)
   return find_format(name)->write == write_3MF;
 }
 
-std::string companion_of(const std::string& name)
+std::string companion_of(const std::string& name, const Format_options& options)
 {
-  return find_format(name)->write == write_OBJ && !is_pattern(name)
+  return find_format(name)->write == write_OBJ && !is_pattern(name) && !options.are_colors_of_input
            ? std::filesystem::path(name).replace_extension(".mtl").string()
            : "";
 }
@@ -178,7 +179,7 @@ void add_output(const std::string& name,
                 Output_files& files)
 {
   const bool is_cut = options.are_faces_triangulated && holds_a_mesh(name);
-  write(name, is_cut ? triangulated(segmented) : segmented, options, companion_of(name), files);
+  write(name, is_cut ? triangulated(segmented) : segmented, options, companion_of(name, options), files);
 }
 
 void add_output_of_parts(const std::string& name,

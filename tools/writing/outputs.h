@@ -30,7 +30,7 @@ bool holds_a_mesh(const std::string& name);
 bool holds_parts(const std::string& name);
 
 // The file that is written beside one of this name; empty if there is none.
-std::string companion_of(const std::string& name);
+std::string companion_of(const std::string& name, const Format_options& options);
 
 // Throws std::invalid_argument if this is none of them, without its point.
 void check_output_format(const std::string& format);

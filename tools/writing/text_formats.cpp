@@ -8,10 +8,87 @@
 #include "writing/shortest_digits.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <filesystem>
+#include <string>
+#include <system_error>
 #include <vector>
 
 namespace tool {
+namespace {
+
+void write_names_of_materials(std::ostream& out, const Output& output, bool are_of_input)
+{
+  namespace fs = std::filesystem;
+
+  if (!output.companion.empty())
+    out << "mtllib " << output.companion << "\n";
+  if (are_of_input)
+    for (const std::string& file : output.surface.soup.attributes.material_files)
+    {
+      std::error_code error;
+      const fs::path path = fs::proximate(file, output.folder.empty() ? "." : output.folder, error);
+      out << "mtllib " << (error ? file : path.generic_string()) << "\n";
+    }
+}
+
+template <std::size_t dimension>
+void write_values(std::ostream& out, const char* keyword, const Corner_values<dimension>& corners)
+{
+  for (const std::array<double, dimension>& value : corners.values)
+  {
+    out << keyword;
+    for (const double coordinate : value)
+    {
+      out << ' ';
+      write_shortest(out, coordinate);
+    }
+    out << "\n";
+  }
+}
+
+// A part of a colour from 0 to 1, in as few digits as give the byte back.
+void write_part_of_color(std::ostream& out, unsigned char byte)
+{
+  out << ' ';
+  write_shortest(out, std::round(byte / 255. * 1e4) / 1e4);
+}
+
+void write_values(std::ostream& out, const Polygon_soup& soup, bool has_colors)
+{
+  for (std::size_t i = 0; i < soup.points.size(); ++i)
+  {
+    out << "v ";
+    write_shortest(out, soup.points[i]);
+    for (std::size_t part = 0; has_colors && part < 3; ++part)
+      write_part_of_color(out, soup.attributes.colors[i][part]);
+    out << "\n";
+  }
+  write_values(out, "vt", soup.attributes.texture_coordinates);
+  write_values(out, "vn", soup.attributes.normals);
+}
+
+// A corner is 'vertex', 'vertex/texture', 'vertex//normal' or 'vertex/texture/normal'.
+void write_face(std::ostream& out, const Polygon_soup& soup, std::size_t face)
+{
+  const bool has_texture = soup.attributes.texture_coordinates.has(face),
+             has_normals = soup.attributes.normals.has(face);
+  out << "f";
+  for (std::size_t i = 0; i < soup.polygons[face].size(); ++i)
+  {
+    out << " " << soup.polygons[face][i] + 1;
+    if (has_texture || has_normals)
+      out << "/";
+    if (has_texture)
+      out << soup.attributes.texture_coordinates.indices[face][i] + 1;
+    if (has_normals)
+      out << "/" << soup.attributes.normals.indices[face][i] + 1;
+  }
+  out << "\n";
+}
+
+} // namespace
 
 void write_OFF(std::ostream& out, const Output& output)
 {
@@ -37,16 +114,13 @@ void write_OFF(std::ostream& out, const Output& output)
 void write_OBJ(std::ostream& out, const Output& output)
 {
   const Polygon_soup& soup = output.surface.soup;
-  if (!output.companion.empty())
-    out << "mtllib " << output.companion << "\n";
-  for (const Point& point : soup.points)
-  {
-    out << "v ";
-    write_shortest(out, point);
-    out << "\n";
-  }
+  const bool has_materials_of_input = output.options.are_colors_of_input &&
+                                      !soup.attributes.materials.empty();
+  write_names_of_materials(out, output, has_materials_of_input);
+  write_values(out, soup, output.options.are_colors_of_input && !soup.attributes.colors.empty());
   const std::vector<std::string> names = words_of_segments(output.surface);
   const std::vector<std::vector<std::size_t>> faces = faces_of_segments(output.surface);
+  std::size_t material = no_index;
   for (std::size_t segment = 0; segment < faces.size(); ++segment)
   {
     if (faces[segment].empty())
@@ -56,10 +130,13 @@ void write_OBJ(std::ostream& out, const Output& output)
       out << "usemtl " << names[segment] << "\n";
     for (const std::size_t face : faces[segment])
     {
-      out << "f";
-      for (const std::size_t corner : soup.polygons[face])
-        out << " " << corner + 1;
-      out << "\n";
+      if (has_materials_of_input && soup.attributes.materials[face] != material)
+      {
+        material = soup.attributes.materials[face];
+        out << "usemtl " << (material == no_index ? "" : soup.attributes.material_names[material])
+            << "\n";
+      }
+      write_face(out, soup, face);
     }
   }
 }
@@ -72,10 +149,7 @@ void write_MTL(std::ostream& out, const Output& output)
     const CGAL::IO::Color color = segment_color(segment);
     out << "newmtl " << names[segment] << "\nKd";
     for (const unsigned char byte : {color.red(), color.green(), color.blue()})
-    {
-      out << ' ';
-      write_shortest(out, std::round(byte / 255. * 1e4) / 1e4); // read to a byte, it is that again
-    }
+      write_part_of_color(out, byte);
     out << "\nKs 0 0 0\nd 1\n";
   }
 }
