@@ -179,7 +179,8 @@ void check_faired_parts(const Mesh& mesh, const Labels& labels, std::size_t numb
     const std::string part = name + ": faired part " + std::to_string(s);
     const auto is_triangle = [](const auto& polygon) { return polygon.size() == 3; };
     const auto is_finite = [](const Point& p) { return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()); };
-    const auto& [points, polygons] = parts[s];
+    const std::vector<Point>& points = parts[s].points;
+    const std::vector<tool::Polygon>& polygons = parts[s].polygons;
     check::report(number_of_open_edges(parts[s]) == 0, __FILE__, __LINE__, part + " is not closed");
     check::report(std::all_of(polygons.begin(), polygons.end(), is_triangle), __FILE__, __LINE__,
                   part + " has other faces than triangles");
