@@ -61,8 +61,10 @@ void print_summary(const tool::Command_line& command_line, const tool::Findings&
                   tool::note_on_further_parts(name, findings.segmentation.number_of_segments));
   if (command_line.json == "-" || std::find(outputs.begin(), outputs.end(), "-") != outputs.end())
     return; // nothing else shall be on the standard output
-  const bool is_anything_written = !outputs.empty() || !command_line.json.empty() ||
-                                   !command_line.report.empty() || !command_line.borders.empty();
+  const std::vector<std::string> others = {command_line.json, command_line.report, command_line.borders,
+                                           command_line.skeleton, command_line.rig};
+  const bool is_anything_written = !outputs.empty() || std::any_of(others.begin(), others.end(),
+                                                                   [](const std::string& name) { return !name.empty(); });
   std::cout << findings.input << ": " << tool::summary(findings)
             << (is_anything_written ? "" : " (nothing written: see -o, --report)") << "\n";
   for (const std::string& name : outputs)
@@ -74,7 +76,7 @@ void print_summary(const tool::Command_line& command_line, const tool::Findings&
                     : "")
               << "\n";
   }
-  for (const std::string& name : {command_line.json, command_line.report, command_line.borders})
+  for (const std::string& name : others)
     if (!name.empty())
       std::cout << "wrote " << name << "\n";
 }
@@ -122,9 +124,8 @@ bool is_large(const std::string& file)
 void segment_one(const tool::Command_line& command_line)
 {
   tool::Output_names names = {command_line.outputs, command_line.report, command_line.json,
-                              command_line.borders};
-  if (!command_line.caps.empty())
-    names.caps = command_line.caps == "flat" ? tool::Caps::FLAT : tool::Caps::FAIRED;
+                              command_line.borders, command_line.skeleton, command_line.rig,
+                              tool::caps_of_name(command_line.caps)};
   tool::Segmentation_options options = command_line.options;
   if (!command_line.tips.empty())
     options.tips = tool::read_tips(command_line.tips);

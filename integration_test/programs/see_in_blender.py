@@ -45,7 +45,32 @@ def describe(element):
             "high": [max(corner[i] for corner in corners) for i in range(3)]}
 
 
+def move_each_bone():
+    """For each bone that is turned, the vertex groups of the vertices that move with it."""
+    armatures = [element for element in bpy.data.objects if element.type == "ARMATURE"]
+    meshes = [element for element in bpy.data.objects if element.type == "MESH" and element.find_armature()]
+    if not armatures:
+        return None
+    (armature,), (mesh,) = armatures, meshes
+    groups = [mesh.vertex_groups[max(vertex.groups, key=lambda group: group.weight).group].name
+              for vertex in mesh.data.vertices]
+
+    def coordinates():
+        bpy.context.view_layer.update()
+        evaluated = mesh.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        return [vertex.co.copy() for vertex in evaluated.data.vertices]
+
+    before, moved = coordinates(), {}
+    for bone in armature.pose.bones:
+        bone.rotation_mode = "XYZ"
+        bone.rotation_euler = (1, 1, 0)
+        moved[bone.name] = sorted({group for group, old, new in zip(groups, before, coordinates())
+                                   if (old - new).length > 1e-3})
+        bone.rotation_euler = (0, 0, 0)
+    return moved
+
+
 for file in sys.argv[sys.argv.index("--") + 1:]:
     open_file(file)
     seen = [describe(element) for element in bpy.data.objects if element.type in ("MESH", "ARMATURE")]
-    print("SEEN " + json.dumps({"file": file, "objects": seen}))
+    print("SEEN " + json.dumps({"file": file, "objects": seen, "moved": move_each_bone()}))

@@ -50,16 +50,31 @@ def check_place(seen, expected):
         assert abs(max(one["high"][axis] for one in seen) - high) < 1e-4, (seen, expected)
 
 
+def check_rig(line):
+    """Each bone moves its segment alone, that of the body all. An end, which is at a tip, moves nothing."""
+    (armature,) = [one for one in line["objects"] if "bones" in one]
+    moved = line["moved"]
+    tell("Blender", "rig.glb", f"an armature of {len(armature['bones'])} bones; each moves: "
+         f"{ {bone: len(groups) for bone, groups in moved.items()} }")
+    for bone, groups in moved.items():
+        of_body = bone == "segment 0"
+        assert groups == ([] if bone.endswith(" end") else groups if of_body else [bone])
+        assert not of_body or len(groups) == NUMBER
+
+
 def blender(folder):
     if not shutil.which("blender"):
         return False
-    names = ["a.obj", "a.ply", "a.stl", "a.glb", "one.glb", "one.gltf"]
+    names = ["a.obj", "a.ply", "a.stl", "a.glb", "one.glb", "one.gltf", "rig.glb"]
     output = run("blender", "--background", "--factory-startup", "--python",
                  pathlib.Path(__file__).with_name("see_in_blender.py"), "--", *(folder / name for name in names))
     lines = [json.loads(line[5:]) for line in output.splitlines() if line.startswith("SEEN ")]
     assert len(lines) == len(names), output
     for name, line in zip(names, lines):
         seen = line["objects"]
+        if name == "rig.glb":
+            check_rig(line)
+            continue
         slots = {slot for one in seen for slot in one["slots"]}
         colors = [attribute for one in seen for attribute in one["color_attributes"]]
         tell("Blender", name, f"{len(seen)} objects, {len(slots)} material slots {sorted(slots)[:2]}, "
@@ -153,7 +168,7 @@ def write_files(segment, make_mesh, folder):
     # Blender turns what is up in glTF to its z-axis, so that --up z brings the mesh to its place.
     print(run(segment, folder / "octopus.off", "-k", NUMBER, "--up", "z", *outputs))
     print(run(segment, folder / "octopus.off", "--labels", folder / "a.seg", "--up", "z", "--one-object",
-              "-o", folder / "one.glb", "-o", folder / "one.gltf"))
+              "-o", folder / "one.glb", "-o", folder / "one.gltf", "--rig", folder / "rig.glb"))
     print(run(segment, folder / "octopus.off", "--labels", folder / "a.seg", "--close", "-o", folder / "parts.3mf"))
 
 

@@ -199,7 +199,7 @@ private:
           names.segments.push_back(path(mesh, format).string());
       if (!m_options.caps.empty())
       {
-        names.caps = m_options.caps == "flat" ? Caps::FLAT : Caps::FAIRED;
+        names.caps = caps_of_name(m_options.caps);
         names.folder_of_parts = folder_of_parts(mesh).string();
       }
       names.json = path(mesh, "json").string();

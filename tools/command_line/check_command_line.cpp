@@ -42,7 +42,7 @@ void check_inputs(const Command_line& command_line)
   for (const std::string& input : command_line.inputs)
     if (!std::filesystem::exists(input, ignored))
     {
-      if (!command_line.caps.empty() && (input == "flat" || input == "faired"))
+      if (!command_line.caps.empty() && (input == "flat" || input == "faired" || input == "hull"))
         throw std::invalid_argument("'" + input + "' is no mesh; caps are chosen by --close=" + input);
       if (is_pattern(input))
         throw std::invalid_argument("'" + input + "' is no mesh; an output is named by -o");
@@ -69,7 +69,7 @@ void check_collection(const CLI::App& app, const Command_line& command_line)
   if (command_line.output_folder.empty())
     throw std::invalid_argument("several meshes or a folder of meshes need --output-folder");
   refuse({"--report"}, " has no meaning with --output-folder; --format html writes a page for each mesh");
-  refuse({"--output", "--json", "--borders", "--tips", "--labels", "--names"},
+  refuse({"--output", "--json", "--borders", "--skeleton", "--rig", "--tips", "--labels", "--names"},
          " has no meaning with --output-folder");
   for (const std::string& format : command_line.formats)
     if (format != "html")
@@ -114,6 +114,11 @@ void check_outputs(const Command_line& command_line)
       "with a format of meshes");
   if (!command_line.borders.empty() && lower_case_extension(command_line.borders) != ".vtp")
     throw std::invalid_argument("--borders: '" + command_line.borders + "' has not the extension .vtp");
+  if (!command_line.skeleton.empty() && lower_case_extension(command_line.skeleton) != ".vtp")
+    throw std::invalid_argument("--skeleton: '" + command_line.skeleton + "' has not the extension .vtp");
+  if (const std::string extension = lower_case_extension(command_line.rig);
+      !command_line.rig.empty() && extension != ".glb" && extension != ".gltf")
+    throw std::invalid_argument("--rig: '" + command_line.rig + "' has not the extension .glb or .gltf");
 }
 
 std::string place_of(const std::string& name)
@@ -131,7 +136,8 @@ void check_names(const Command_line& command_line)
     if (const std::string companion = companion_of(name, command_line.options.formats); !companion.empty())
       names.push_back(companion);
   }
-  for (const std::string& name : {command_line.json, command_line.report, command_line.borders})
+  for (const std::string& name : {command_line.json, command_line.report, command_line.borders,
+                                  command_line.skeleton, command_line.rig})
     if (!name.empty())
       names.push_back(name);
   const std::vector<std::string> inputs = {command_line.inputs.front(), command_line.tips,

@@ -32,8 +32,9 @@ void add_options_of_meshes(CLI::App& app, Command_line& command_line, const char
               "close the meshes of -o with %d or %s, of -o FILE.3mf, or of --format, where they were cut "
               "off. If the input is closed, so are they.\n"
               "flat: caps that two meshes share; volumes add up to that of the input (the default)\n"
-              "faired: rounded caps, separate for each mesh; slow for long rims")
-    ->check(CLI::IsMember({"flat", "faired"}).description(""))
+              "faired: rounded caps, separate for each mesh; slow for long rims\n"
+              "hull: the convex hull of each segment in its place, for simulation")
+    ->check(CLI::IsMember({"flat", "faired", "hull"}).description(""))
     ->option_text("[=CAPS]")
     ->group(group);
   app
@@ -47,13 +48,15 @@ void add_options_of_meshes(CLI::App& app, Command_line& command_line, const char
 void add_options_of_formats(CLI::App& app, Format_options& options, const char* group)
 {
   app
-    .add_flag("--triangulate", options.are_faces_triangulated,
-              "write faces of more than three corners as triangles, as slicers need them in OBJ. Each triangle "
-              "has the number of its old face where the format has a place.")
+    .add_flag(
+      "--triangulate", options.are_faces_triangulated,
+      "write faces of more than three corners as triangles, as slicers need them in OBJ. Each triangle "
+      "has the number of its old face where the format has a place.")
     ->group(group);
   app
-    .add_flag("--one-object", options.is_one_object,
-              "in glTF, write one object with a material for each segment, in place of an object for each")
+    .add_flag(
+      "--one-object", options.is_one_object,
+      "in glTF, write one object with a material for each segment, in place of an object for each")
     ->group(group);
   app
     .add_option_function<std::string>(
@@ -88,6 +91,19 @@ void add_output_options(CLI::App& app, Command_line& command_line)
     .add_option(
       "--borders", command_line.borders,
       "write the borders as lines of VTK (.vtp), with both segments, length, value and probability")
+    ->type_name("FILE")
+    ->group(group);
+  app
+    .add_option(
+      "--skeleton", command_line.skeleton,
+      "write a curve skeleton as lines of VTK (.vtp), from tips, borders and the tree of segments")
+    ->type_name("FILE")
+    ->group(group);
+  app
+    .add_option(
+      "--rig", command_line.rig,
+      "write the mesh with a joint for each segment, which moves it with all that sticks out of it, in "
+      "glTF (.glb, .gltf)")
     ->type_name("FILE")
     ->group(group);
   app

@@ -12,9 +12,11 @@
 #include "writing/carried_attributes.h"
 #include "writing/closed_parts.h"
 #include "writing/faired_parts.h"
+#include "writing/hulls.h"
 #include "writing/json.h"
 #include "writing/outputs.h"
 #include "writing/part_names.h"
+#include "writing/skeleton.h"
 
 #include <nlohmann/json.hpp>
 
@@ -36,6 +38,8 @@ std::vector<Polygon_soup> find_closed_parts(const Findings& findings, Caps caps)
   const Segmentation& segmentation = findings.segmentation;
   if (caps == Caps::FAIRED)
     return faired_parts(findings.mesh_of_borders(), findings.segments_at_borders(), segmentation.number_of_segments);
+  if (caps == Caps::HULL)
+    return convex_hulls(findings.mesh_of_borders(), findings.segments_at_borders(), segmentation.number_of_segments);
   std::vector<std::size_t> parents(segmentation.number_of_segments);
   std::iota(parents.begin(), parents.end(), std::size_t(0));
   for (const Protrusion& protrusion : segmentation.record.protrusions())
@@ -99,6 +103,11 @@ std::vector<std::string> part_names(const std::string& name, const Output_names&
 
 } // namespace
 
+Caps caps_of_name(const std::string& name)
+{
+  return name.empty() ? Caps::NONE : name == "flat" ? Caps::FLAT : name == "faired" ? Caps::FAIRED : Caps::HULL;
+}
+
 void check_can_be_written(const Output_names& names, const Format_options& options)
 {
   for (const std::string& name : names.segments)
@@ -108,7 +117,7 @@ void check_can_be_written(const Output_names& names, const Format_options& optio
       if (const std::string companion = companion_of(name, options); !companion.empty())
         Output_files::check(companion);
     }
-  for (const std::string& name : {names.json, names.report, names.borders})
+  for (const std::string& name : {names.json, names.report, names.borders, names.skeleton, names.rig})
     if (!name.empty())
       Output_files::check(name);
 }
@@ -119,14 +128,14 @@ void write_findings(Findings& findings, const Output_names& names, const Recorde
   std::size_t number_of_begun = 0;
   const auto begin = [&](const std::string& name)
   {
-    const double all = double(names.segments.size() + 3); // that of what may be written besides
+    const double all = double(names.segments.size() + 5); // that of what may be written besides
     if (progress)
       progress(end_of_segmentation + (1 - end_of_segmentation) * double(number_of_begun++) / all, "writing " + name,
                findings.segmentation.record.protrusions().size());
   };
   Segmented_soup segmented = {std::move(findings.mesh.soup), // until the meshes are written: as large as they are
                               labels_of_file(findings.segmentation.segment_ids, findings.mesh), {}, findings.names};
-  if (names.caps != Caps::NONE)
+  if (names.caps == Caps::FLAT || names.caps == Caps::FAIRED)
     findings.add_note(note_on_boundary(findings.mesh.mesh));
   const Segmented_soup cut = findings.smoothed ? soup_of(findings, segmented.soup) : Segmented_soup();
   Output_files files;
@@ -145,6 +154,13 @@ void write_findings(Findings& findings, const Output_names& names, const Recorde
     else
       add_parts(parts, parts_of(whole, findings.segmentation.number_of_segments), options, files);
   }
+  if (!names.rig.empty())
+  {
+    begin(names.rig);
+    const Output output = {findings.smoothed ? cut : segmented, findings.options.formats, {}, {}};
+    files.add(names.rig, [&](std::ostream& out)
+              { write_rig(out, output, find_skeleton(findings), lower_case_extension(names.rig) == ".glb"); });
+  }
   findings.mesh.soup = std::move(segmented.soup);
   if (!names.report.empty())
   {
@@ -155,6 +171,12 @@ void write_findings(Findings& findings, const Output_names& names, const Recorde
   {
     begin(names.borders);
     files.add(names.borders, [&](std::ostream& out) { write_borders(out, find_borders(findings)); });
+  }
+  if (!names.skeleton.empty())
+  {
+    begin(names.skeleton);
+    files.add(names.skeleton,
+              [&](std::ostream& out) { write_skeleton(out, find_skeleton(findings, inner_joints_of_lines)); });
   }
   findings.seconds_for_writing = seconds_since(start); // the record, which tells of it, is not counted
   if (!names.json.empty())

@@ -19,7 +19,8 @@ enum class Caps
 {
   NONE,
   FLAT,  // the same for both sides
-  FAIRED // a round one for each side
+  FAIRED, // a round one for each side
+  HULL // the convex hull of each, in its place
 };
 
 struct Output_names
@@ -28,10 +29,15 @@ struct Output_names
   std::string report; // empty: none
   std::string json;   // empty: none
   std::string borders; // empty: none
+  std::string skeleton; // empty: none
+  std::string rig; // empty: none
   Caps caps = Caps::NONE; // of names with a number for each segment
   bool have_numbers = true; // whether a "%d" in one of `segments` stands for that; else it is a name like others
   std::string folder_of_parts = {}; // then, if it is not empty, the closed parts are written there in place of the meshes
 };
+
+// By its name: "flat", "faired" or "hull"; none if it is empty.
+Caps caps_of_name(const std::string& name);
 
 // Throws an `Error` if one of them cannot be written. Good to know before a long computation.
 void check_can_be_written(const Output_names& names, const Format_options& options);

@@ -40,6 +40,7 @@ public:
     const auto [position, is_new] = m_indices.emplace(std::make_tuple(point, texture, normal), next);
     if (!is_new)
       return position->second;
+    m_points.push_back(point);
     const std::array<float, 3> coordinates = m_frame.position(m_soup.points[point]);
     m_positions.insert(m_positions.end(), coordinates.begin(), coordinates.end());
     m_normals.insert(m_normals.end(), normal.begin(), normal.end());
@@ -51,7 +52,8 @@ public:
     return position->second;
   }
 
-  std::size_t size() const { return m_indices.size(); }
+  // Of each vertex.
+  const std::vector<std::size_t>& points() const { return m_points; }
 
   Json add_attributes(std::size_t segment, Gltf_document& document) const
   {
@@ -59,7 +61,7 @@ public:
     Json result = {
       {"POSITION", document.add_floats(m_positions, 3, has_bounds)},
       {"NORMAL", document.add_floats(m_normals, 3)},
-      {"_SEGMENT", document.add_floats(std::vector<float>(size(), static_cast<float>(segment)), 1)}};
+      {"_SEGMENT", document.add_floats(std::vector<float>(m_points.size(), static_cast<float>(segment)), 1)}};
     if (m_has_texture)
       result["TEXCOORD_0"] = document.add_floats(m_textures, 2);
     if (m_has_colors)
@@ -79,6 +81,7 @@ private:
   const Gltf_frame& m_frame;
   bool m_has_texture, m_has_colors;
   std::map<std::tuple<std::size_t, std::size_t, Normal>, std::uint32_t> m_indices;
+  std::vector<std::size_t> m_points;
   std::vector<float> m_positions, m_normals, m_textures, m_colors;
 };
 
@@ -185,7 +188,7 @@ std::vector<Segment_primitive> add_primitives(const Output& output,
     const std::string name = segmented.name_of(segment);
     Json attributes = vertices.add_attributes(segment, document);
     if (add_attributes)
-      add_attributes(segment, vertices.size(), attributes);
+      add_attributes(vertices.points(), attributes);
     result.push_back({segment,
                       name,
                       {{"attributes", attributes},

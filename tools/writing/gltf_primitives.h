@@ -43,9 +43,8 @@ struct Segment_primitive
   Gltf_document::Json primitive;
 };
 
-// Adds attributes for so many vertices of a segment.
-using Add_attributes =
-  std::function<void(std::size_t segment, std::size_t vertices, Gltf_document::Json& attributes)>;
+// Adds attributes for the vertices of a segment, whose points it is told.
+using Add_attributes = std::function<void(const std::vector<std::size_t>& points, Gltf_document::Json& attributes)>;
 
 // Of all segments that have triangles.
 std::vector<Segment_primitive> add_primitives(const Output& output,

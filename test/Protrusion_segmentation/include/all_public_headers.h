@@ -27,10 +27,12 @@
 #include <CGAL/Protrusion_segmentation/Segmentation_record.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_stopped.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
+#include <CGAL/Protrusion_segmentation/Skeleton_joint.h>
 #include <CGAL/Protrusion_segmentation/join_pieces.h>
 #include <CGAL/Protrusion_segmentation/label_confidence.h>
 #include <CGAL/Protrusion_segmentation/polygon_soup_to_manifold_mesh.h>
 #include <CGAL/Protrusion_segmentation/protrusion_hierarchy.h>
+#include <CGAL/Protrusion_segmentation/protrusion_skeleton.h>
 #include <CGAL/Protrusion_segmentation/segment_borders.h>
 #include <CGAL/Protrusion_segmentation/segmentation_from_protrusion_tips.h>
 #include <CGAL/Protrusion_segmentation/segmentation_via_protrusion_tips.h>
