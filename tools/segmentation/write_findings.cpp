@@ -11,7 +11,6 @@
 #include "writing/borders.h"
 #include "writing/carried_attributes.h"
 #include "writing/closed_parts.h"
-#include "writing/faired_parts.h"
 #include "writing/hulls.h"
 #include "writing/json.h"
 #include "writing/outputs.h"
@@ -22,7 +21,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -36,15 +34,10 @@ namespace
 std::vector<Polygon_soup> find_closed_parts(const Findings& findings, Caps caps)
 {
   const Segmentation& segmentation = findings.segmentation;
-  if (caps == Caps::FAIRED)
-    return faired_parts(findings.mesh_of_borders(), findings.segments_at_borders(), segmentation.number_of_segments);
   if (caps == Caps::HULL)
     return convex_hulls(findings.mesh_of_borders(), findings.segments_at_borders(), segmentation.number_of_segments);
-  std::vector<std::size_t> parents(segmentation.number_of_segments);
-  std::iota(parents.begin(), parents.end(), std::size_t(0));
-  for (const Protrusion& protrusion : segmentation.record.protrusions())
-    parents[protrusion.segment] = protrusion.parent;
-  return closed_parts(findings.mesh_of_borders(), findings.segments_at_borders(), parents);
+  return closed_parts(findings.mesh_of_borders(), findings.segments_at_borders(), segmentation.record,
+                      caps == Caps::FAIRED);
 }
 
 std::vector<Segmented_soup> make_closed_parts(const Findings& findings, Caps caps)
