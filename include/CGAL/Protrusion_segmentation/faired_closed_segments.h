@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#if defined(CGAL_EIGEN3_ENABLED) || defined(DOXYGEN_RUNNING)
-
 #ifndef CGAL_PROTRUSION_SEGMENTATION_FAIRED_CLOSED_SEGMENTS_H
 #define CGAL_PROTRUSION_SEGMENTATION_FAIRED_CLOSED_SEGMENTS_H
+
+#if defined(CGAL_EIGEN3_ENABLED) || defined(DOXYGEN_RUNNING)
 
 #include <CGAL/Protrusion_segmentation/Closed_segment.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_record.h>
@@ -24,7 +24,7 @@ namespace CGAL::Protrusion_segmentation {
 makes a surface of triangles of each segment and closes it where it was cut off, by rounded caps.
 
 Each segment has caps of its own, which continue its surface; so the volumes do not add up. Polygons become triangles. A hole that
-touches the boundary of the mesh stays open. Requires \ref thirdpartyEigen.
+touches the boundary of the mesh stays open. Requires the library Eigen.
 
 \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph` with a point for each vertex
 \tparam SegmentMap a model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type
@@ -71,6 +71,6 @@ OutputIterator faired_closed_segments(const FaceGraph& pmesh,
 
 } // namespace CGAL::Protrusion_segmentation
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_FAIRED_CLOSED_SEGMENTS_H
-
 #endif // CGAL_EIGEN3_ENABLED
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_FAIRED_CLOSED_SEGMENTS_H

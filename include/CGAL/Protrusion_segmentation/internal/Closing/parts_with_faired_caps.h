@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#if defined(CGAL_EIGEN3_ENABLED) || defined(DOXYGEN_RUNNING)
-
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CLOSING_PARTS_WITH_FAIRED_CAPS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CLOSING_PARTS_WITH_FAIRED_CAPS_H
+
+#if defined(CGAL_EIGEN3_ENABLED) || defined(DOXYGEN_RUNNING)
 
 #include <CGAL/Protrusion_segmentation/Closed_segment.h>
 #include <CGAL/Protrusion_segmentation/internal/Closing/Capper.h>
@@ -293,6 +293,6 @@ inline std::vector<Closed_segment<Point>> parts_with_faired_caps(
 
 } // namespace CGAL::Protrusion_segmentation::internal::faired_caps
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CLOSING_PARTS_WITH_FAIRED_CAPS_H
-
 #endif // CGAL_EIGEN3_ENABLED
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CLOSING_PARTS_WITH_FAIRED_CAPS_H
