@@ -47,10 +47,11 @@ public:
   {
     if (!m_are_all_colored || m_attributes.colors.size() != number_of_points)
       m_attributes.colors.clear();
+    const std::size_t number_of_faces = m_attributes.materials.size();
     if (m_attributes.material_names.empty())
       m_attributes.materials.clear();
-    clear_if_unused(m_attributes.texture_coordinates);
-    clear_if_unused(m_attributes.normals);
+    clear_if_unused(m_attributes.texture_coordinates, number_of_faces);
+    clear_if_unused(m_attributes.normals, number_of_faces);
     return std::move(m_attributes);
   }
 
@@ -90,6 +91,12 @@ private:
 
   void add_face(std::string_view words)
   {
+    m_attributes.materials.push_back(m_material);
+    if (words.find('/') == words.npos) // of vertices alone
+      return;
+    const std::size_t number_of_earlier_faces = m_attributes.materials.size() - 1;
+    m_attributes.texture_coordinates.indices.resize(number_of_earlier_faces);
+    m_attributes.normals.indices.resize(number_of_earlier_faces);
     std::vector<std::size_t> textures, normals;
     for (std::string_view corner = take_word(words); !corner.empty(); corner = take_word(words))
     {
@@ -102,7 +109,6 @@ private:
     }
     m_attributes.texture_coordinates.indices.push_back(known(std::move(textures)));
     m_attributes.normals.indices.push_back(known(std::move(normals)));
-    m_attributes.materials.push_back(m_material);
   }
 
   // From 1, or from the last one by negative numbers. It may be that of a value that comes later.
@@ -122,8 +128,9 @@ private:
   }
 
   template <std::size_t dimension>
-  static void clear_if_unused(Corner_values<dimension>& corners)
+  static void clear_if_unused(Corner_values<dimension>& corners, std::size_t number_of_faces)
   {
+    corners.indices.resize(number_of_faces);
     bool is_used = false;
     for (std::vector<std::size_t>& face : corners.indices)
       for (std::size_t& index : face)

@@ -24,6 +24,9 @@ Vector normalized(const Vector& vector)
   return length > 0 ? vector / length : vector;
 }
 
+// Around a point with more faces, such as the tip of a cone, each keeps its own normal: all pairs would be too many.
+constexpr std::size_t most_faces_around_a_point = 100;
+
 // Twice the area times the normal, of the polygon in the unit ball, where products stay in the range of numbers.
 std::vector<Vector> area_vectors(const Polygon_soup& soup)
 {
@@ -55,21 +58,22 @@ std::vector<std::vector<Normal>> corner_normals(const Polygon_soup& soup)
   for (std::size_t face = 0; face < soup.polygons.size(); ++face)
     for (const std::size_t corner : soup.polygons[face])
       faces_around[corner].push_back(face);
+  std::vector<Vector> normals;
+  for (const Vector& area : areas)
+    normals.push_back(normalized(area));
   std::vector<std::vector<Normal>> result(soup.polygons.size());
   for (std::size_t face = 0; face < soup.polygons.size(); ++face)
-  {
-    const Vector own = normalized(areas[face]);
     for (const std::size_t corner : soup.polygons[face])
     {
-      Vector sum = CGAL::NULL_VECTOR;
-      for (const std::size_t other : faces_around[corner])
-        if (own * normalized(areas[other]) >= cosine_of_crease)
-          sum = sum + areas[other];
+      Vector sum = areas[face];
+      if (faces_around[corner].size() <= most_faces_around_a_point)
+        for (const std::size_t other : faces_around[corner])
+          if (other != face && normals[face] * normals[other] >= cosine_of_crease)
+            sum = sum + areas[other];
       const Vector normal = sum == CGAL::NULL_VECTOR ? Vector(0, 0, 1)
                                                      : normalized(sum); // any for no area
       result[face].push_back({float(normal.x()), float(normal.y()), float(normal.z())});
     }
-  }
   return result;
 }
 
