@@ -29,6 +29,7 @@ from ._metrics import (
     evaluate,
     evaluate_against,
     hamming_distance,
+    mean_best_intersection_over_union,
     rand_index_error,
 )
 from ._options import DiffusionDistance, DualGraph, LandmarkDistance, PaperMethod
@@ -63,6 +64,7 @@ __all__ = [
     "evaluate_against",
     "hamming_distance",
     "hierarchy",
+    "mean_best_intersection_over_union",
     "rand_index_error",
     "read_seg",
     "segment",

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 Integers = npt.NDArray[np.int64]
 Coordinates = npt.NDArray[np.float64]
-Row = Tuple[float, float, float, float, Optional[float], float, float, float, float]
+Row = Tuple[float, float, float, float, Optional[float], float, float, float, float, float]
 
 version: str
 

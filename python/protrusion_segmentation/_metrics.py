@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Metrics of segmentations: those of the Princeton Segmentation Benchmark. Smaller is better."""
+"""Metrics of segmentations: those of the Princeton Segmentation Benchmark, and one of learned methods."""
 
 from typing import List, Optional, Sequence, Union
 
@@ -88,6 +88,22 @@ def consistency_error(vertices: npt.ArrayLike, faces: Faces, labels: npt.ArrayLi
     vertices, faces, labels, reference : as for `evaluate()`
     """
     return _rows(vertices, faces, labels, [reference], "consistency_error")[0].global_consistency_error
+
+
+def mean_best_intersection_over_union(
+    vertices: npt.ArrayLike, faces: Faces, labels: npt.ArrayLike, reference: npt.ArrayLike
+) -> float:
+    """How well the parts of a reference are found, from 0 to 1, the metric of learned methods. Larger is better.
+
+    The mean over the parts of the largest intersection over union with a segment. Faces are counted. Faces of the reference
+    with a negative number are in no part.
+
+    Parameters
+    ----------
+    vertices, faces, labels, reference : as for `evaluate()`
+    """
+    name = "mean_best_intersection_over_union"
+    return _rows(vertices, faces, labels, [reference], name)[0].mean_best_intersection_over_union
 
 
 def _rows(

@@ -242,7 +242,7 @@ class SmoothedMesh:
 
 
 class Metrics(NamedTuple):
-    """How far two segmentations are from each other; smaller is better."""
+    """How far two segmentations are from each other; smaller is better, but for the last one."""
 
     rand_index_error: float
     hamming_distance: float
@@ -253,6 +253,7 @@ class Metrics(NamedTuple):
     local_consistency_error: float
     global_consistency_error_by_area: float
     local_consistency_error_by_area: float
+    mean_best_intersection_over_union: float
 
 
 _describe = {
@@ -265,6 +266,8 @@ _describe = {
     "local_consistency_error": "the same, where either may be the finer one at each face, from 0 to 1",
     "global_consistency_error_by_area": "the global error with parts of segments measured by area, from 0 to 1",
     "local_consistency_error_by_area": "the local error with parts of segments measured by area, from 0 to 1",
+    "mean_best_intersection_over_union": "that of learned methods, larger is better: the mean over the parts of the reference, "
+    "which are not negative, of the largest intersection over union with a segment, from 0 to 1",
 }
 for _name, _text in _describe.items():
     getattr(Metrics, _name).__doc__ = _text

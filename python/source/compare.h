@@ -16,7 +16,7 @@
 namespace python {
 
 // The metrics of labels against each of the references, all of the faces given; only those that are asked for: "all",
-// "rand_index_error", "hamming_distance", "cut_discrepancy" or "consistency_error".
+// "rand_index_error", "hamming_distance", "cut_discrepancy", "consistency_error" or "mean_best_intersection_over_union".
 std::vector<CGAL::Protrusion_segmentation::Segmentation_metrics> compare(
   const Arrays& arrays,
   const std::vector<std::int64_t>& labels,

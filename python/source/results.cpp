@@ -109,7 +109,8 @@ py::list as_list(const std::vector<CGAL::Protrusion_segmentation::Segmentation_m
     result.append(py::make_tuple(m.rand_index_error, m.hamming_distance.distance,
                                  m.hamming_distance.missing_rate, m.hamming_distance.false_alarm_rate,
                                  m.cut_discrepancy, m.consistency_error.global, m.consistency_error.local,
-                                 m.consistency_error.global_by_area, m.consistency_error.local_by_area));
+                                 m.consistency_error.global_by_area, m.consistency_error.local_by_area,
+                                 m.mean_best_intersection_over_union));
   return result;
 }
 

@@ -65,6 +65,7 @@ def test_metrics_one_by_one_and_against_several():
         assert metrics.rand_index_error == ps.rand_index_error(*arguments)
         assert metrics.hamming_distance == ps.hamming_distance(*arguments)
         assert metrics.cut_discrepancy == ps.cut_discrepancy(*arguments)
+        assert metrics.mean_best_intersection_over_union == ps.mean_best_intersection_over_union(*arguments)
         assert metrics.global_consistency_error == ps.consistency_error(*arguments)
     assert ps.evaluate_against(POINTS, TRIANGLES, LABELS, []) == []
     with pytest.raises(ValueError, match="^reference: the shape is"):
