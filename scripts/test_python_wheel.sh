@@ -16,7 +16,7 @@ cd "$work"
 tar xzf protrusion-segmentation-*.tar.gz
 rm protrusion-segmentation-*.tar.gz
 export CMAKE_CXX_COMPILER_LAUNCHER=ccache CMAKE_BUILD_PARALLEL_LEVEL=2
-"$python" -m pip wheel --no-build-isolation --no-deps --no-index --wheel-dir "$work" ./protrusion-segmentation-*/
+"$python" -m pip wheel --no-cache-dir --no-build-isolation --no-deps --no-index --wheel-dir "$work" ./protrusion-segmentation-*/
 
 /usr/bin/python3 -m venv "$work/empty_environment"
 "$work/empty_environment/bin/pip" install --no-index --no-deps protrusion_segmentation-*.whl

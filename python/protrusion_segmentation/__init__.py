@@ -33,14 +33,17 @@ from ._metrics import (
     rand_index_error,
 )
 from ._options import DiffusionDistance, DualGraph, LandmarkDistance, PaperMethod
+from ._parts import closed_segments, skeleton
 from ._results import (
     Border,
     Hierarchy,
+    Mesh,
     Metrics,
     RepairWarning,
     Repairs,
     Segmentation,
     SegmentationStopped,
+    Skeleton,
     SmoothedMesh,
 )
 from ._segment import hierarchy, segment, segment_from_tips, segmentation, tips
@@ -51,13 +54,16 @@ __all__ = [
     "DualGraph",
     "Hierarchy",
     "LandmarkDistance",
+    "Mesh",
     "Metrics",
     "PaperMethod",
     "RepairWarning",
     "Repairs",
     "Segmentation",
     "SegmentationStopped",
+    "Skeleton",
     "SmoothedMesh",
+    "closed_segments",
     "consistency_error",
     "cut_discrepancy",
     "evaluate",
@@ -70,6 +76,7 @@ __all__ = [
     "segment",
     "segment_from_tips",
     "segmentation",
+    "skeleton",
     "smooth_borders",
     "tips",
     "write_seg",

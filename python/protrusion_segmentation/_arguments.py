@@ -20,6 +20,13 @@ def mesh_arrays(vertices: npt.ArrayLike, faces: Faces) -> Arrays:
     return (_points(vertices), *_corners_and_sizes(faces))
 
 
+def faces_of_corners(corners: Labels, sizes: Labels) -> Union[Labels, List[Labels]]:
+    """An array if all faces are triangles, else a list."""
+    if (sizes == 3).all():
+        return corners.reshape(-1, 3)
+    return np.split(corners, np.cumsum(sizes)[:-1])
+
+
 def _points(vertices: npt.ArrayLike) -> npt.NDArray[np.float64]:
     _check_no_mask("vertices", vertices)
     try:

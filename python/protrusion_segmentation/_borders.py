@@ -5,11 +5,10 @@
 
 from typing import Optional
 
-import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._arguments import Faces, checked_tolerance, integer_from, integers, mesh_arrays
+from ._arguments import Faces, checked_tolerance, faces_of_corners, integer_from, integers, mesh_arrays
 from ._results import SmoothedMesh
 
 
@@ -40,6 +39,4 @@ def smooth_borders(
     options = {"snapping_tolerance": checked_tolerance(snapping_tolerance)}
     found = _core.smooth_borders(*mesh_arrays(vertices, faces), options, integers("labels", labels), count)
     corners, sizes = found.pop("corners"), found.pop("sizes")
-    if (sizes == 3).all():
-        return SmoothedMesh(faces=corners.reshape(-1, 3), **found)
-    return SmoothedMesh(faces=np.split(corners, np.cumsum(sizes)[:-1]), **found)
+    return SmoothedMesh(faces=faces_of_corners(corners, sizes), **found)

@@ -23,6 +23,26 @@ def smooth_borders(
     labels: Integers,
     number_of_iterations: int,
 ) -> Dict[str, Any]: ...
+def closed_segments(
+    vertices: Coordinates,
+    corners: Integers,
+    sizes: Integers,
+    options: Dict[str, Any],
+    labels: Integers,
+    parents: Integers,
+    tips: Integers,
+    are_caps_faired: bool,
+) -> List[Tuple[Coordinates, Integers, Integers]]: ...
+def skeleton(
+    vertices: Coordinates,
+    corners: Integers,
+    sizes: Integers,
+    options: Dict[str, Any],
+    labels: Integers,
+    parents: Integers,
+    tips: Integers,
+    number_of_inner_joints: int,
+) -> Dict[str, Any]: ...
 def evaluate(
     vertices: Coordinates,
     corners: Integers,

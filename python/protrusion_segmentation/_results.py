@@ -241,6 +241,44 @@ class SmoothedMesh:
     number_of_fixed_segments: int
 
 
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """A mesh.
+
+    Attributes
+    ----------
+    vertices : (n, 3) array
+        The coordinates.
+    faces : (m, 3) array of integers, or list of arrays
+        The corners of the faces; a list if not all of them are triangles.
+    """
+
+    vertices: Floats
+    faces: Union[Integers, List[Integers]]
+
+
+@dataclass(frozen=True, eq=False)
+class Skeleton:
+    """Joints and the bones between them: lines from each joint to its parent.
+
+    Attributes
+    ----------
+    points : (j, 3) array
+        Where the joints are.
+    parents : (j,) array of integers
+        The joint that each joint hangs on, which has a lower number; a root has its own.
+    segments : (j,) array of integers
+        The segment that each joint is in, or whose border to the parent it is in.
+    are_tips : (j,) array of bools
+        Whether a joint is at the tip of its segment.
+    """
+
+    points: Floats
+    parents: Integers
+    segments: Integers
+    are_tips: npt.NDArray[np.bool_]
+
+
 class Metrics(NamedTuple):
     """How far two segmentations are from each other; smaller is better, but for the last one."""
 

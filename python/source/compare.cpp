@@ -29,7 +29,8 @@ PS::Segmentation_metrics compare(const tool::Mesh& mesh,
   else if (metrics == "cut_discrepancy")
     result.cut_discrepancy = PS::segmentation_cut_discrepancy(mesh, labels, reference);
   else if (metrics == "mean_best_intersection_over_union")
-    result.mean_best_intersection_over_union = PS::mean_best_intersection_over_union(mesh, labels, reference);
+    result.mean_best_intersection_over_union = PS::mean_best_intersection_over_union(mesh, labels,
+                                                                                     reference);
   else
     result.consistency_error = PS::segmentation_consistency_error(mesh, labels, reference);
   return result;

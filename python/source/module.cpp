@@ -7,6 +7,7 @@
 // is found.
 
 #include "compare.h"
+#include "parts.h"
 #include "request_of_arguments.h"
 #include "results.h"
 #include "run_interruptibly.h"
@@ -72,6 +73,43 @@ py::dict call_smooth(const Coordinates& vertices,
                                    { return smooth(arrays, labels, number_of_iterations); }));
 }
 
+Tree_of_arrays copy_tree(const Integers& labels, const Integers& parents, const Integers& tips)
+{
+  return {copy(labels), copy(parents), copy(tips)};
+}
+
+py::list call_close(const Coordinates& vertices,
+                    const Integers& corners,
+                    const Integers& sizes,
+                    const py::dict& options,
+                    const Integers& labels,
+                    const Integers& parents,
+                    const Integers& tips,
+                    bool are_caps_faired)
+{
+  return as_list(run_interruptibly(
+    [arrays = arrays_of_arguments({vertices, corners, sizes}, options),
+     tree = copy_tree(labels, parents, tips), are_caps_faired](Watcher&)
+    {
+      return are_caps_faired ? close_segments_by_faired_caps(arrays, tree) : close_segments(arrays, tree);
+    }));
+}
+
+py::dict call_skeleton(const Coordinates& vertices,
+                       const Integers& corners,
+                       const Integers& sizes,
+                       const py::dict& options,
+                       const Integers& labels,
+                       const Integers& parents,
+                       const Integers& tips,
+                       int number_of_inner_joints)
+{
+  return as_dict(
+    run_interruptibly([arrays = arrays_of_arguments({vertices, corners, sizes}, options),
+                       tree = copy_tree(labels, parents, tips), number_of_inner_joints](Watcher&)
+                      { return find_skeleton(arrays, tree, number_of_inner_joints); }));
+}
+
 py::list call_compare(const Coordinates& vertices,
                       const Integers& corners,
                       const Integers& sizes,
@@ -112,6 +150,8 @@ PYBIND11_MODULE(_core, module)
   module.def("segment", &python::call_segment);
   module.def("tips", &python::call_tips);
   module.def("smooth_borders", &python::call_smooth);
+  module.def("closed_segments", &python::call_close);
+  module.def("skeleton", &python::call_skeleton);
   module.def("evaluate", &python::call_compare);
   using python::py::cpp_function;
   python::py::module_::import("atexit").attr("register")(cpp_function([]() { python::calls().end(); }));

@@ -39,14 +39,19 @@ auto table(const std::vector<Segment>& segments, std::vector<T> Segment::*field)
   return as_rows(values, width);
 }
 
-py::tuple as_tuple(const Border& border)
+py::array as_coordinates(const std::vector<tool::Point>& points)
 {
   std::vector<double> coordinates;
-  for (const tool::Point& p : border.line.points)
+  for (const tool::Point& p : points)
     coordinates.insert(coordinates.end(), {p.x(), p.y(), p.z()});
+  return as_points(coordinates);
+}
+
+py::tuple as_tuple(const Border& border)
+{
   return py::make_tuple(py::make_tuple(border.line.segments[0], border.line.segments[1]),
-                        as_points(coordinates), border.line.is_closed, border.line.length, border.value,
-                        border.probability);
+                        as_coordinates(border.line.points), border.line.is_closed, border.line.length,
+                        border.value, border.probability);
 }
 
 // in the order of the fields of `Repairs`
@@ -98,6 +103,42 @@ py::dict as_dict(const Smoothed& smoothed)
   result["labels"] = as_array(smoothed.labels);
   result["old_faces"] = as_array(smoothed.old_faces);
   result["number_of_fixed_segments"] = smoothed.number_of_fixed_segments;
+  return result;
+}
+
+py::dict as_dict(const std::vector<Joint>& joints)
+{
+  std::vector<tool::Point> points;
+  std::vector<std::size_t> parents, segments;
+  py::array_t<bool> are_tips(static_cast<py::ssize_t>(joints.size()));
+  for (std::size_t j = 0; j < joints.size(); ++j)
+  {
+    points.push_back(joints[j].point);
+    parents.push_back(joints[j].parent);
+    segments.push_back(joints[j].segment);
+    are_tips.mutable_at(static_cast<py::ssize_t>(j)) = joints[j].is_tip;
+  }
+  py::dict result;
+  result["points"] = as_coordinates(points);
+  result["parents"] = as_array(parents);
+  result["segments"] = as_array(segments);
+  result["are_tips"] = are_tips;
+  return result;
+}
+
+py::list as_list(const std::vector<Part>& parts)
+{
+  py::list result;
+  for (const Part& part : parts)
+  {
+    std::vector<std::size_t> corners, sizes;
+    for (const auto& polygon : part.polygons)
+    {
+      corners.insert(corners.end(), polygon.begin(), polygon.end());
+      sizes.push_back(polygon.size());
+    }
+    result.append(py::make_tuple(as_coordinates(part.points), as_array(corners), as_array(sizes)));
+  }
   return result;
 }
 
