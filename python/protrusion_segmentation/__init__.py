@@ -23,6 +23,7 @@ other threads run, and Ctrl-C stops it with KeyboardInterrupt.
 from . import _core
 from ._borders import smooth_borders
 from ._files import read_seg, write_seg
+from ._meshes import Mesh, Skeleton, SmoothedMesh
 from ._metrics import (
     consistency_error,
     cut_discrepancy,
@@ -37,14 +38,11 @@ from ._parts import closed_segments, skeleton
 from ._results import (
     Border,
     Hierarchy,
-    Mesh,
     Metrics,
     RepairWarning,
     Repairs,
     Segmentation,
     SegmentationStopped,
-    Skeleton,
-    SmoothedMesh,
 )
 from ._segment import hierarchy, segment, segment_from_tips, segmentation, tips
 

@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._arguments import Faces, checked_tolerance, faces_of_corners, integer_from, integers, mesh_arrays
-from ._results import SmoothedMesh
+from ._meshes import SmoothedMesh
 
 
 def smooth_borders(

@@ -18,7 +18,8 @@ from ._arguments import (
     integers,
     mesh_arrays,
 )
-from ._results import Mesh, Segmentation, Skeleton
+from ._meshes import Mesh, Skeleton
+from ._results import Segmentation
 
 Caps = Literal["flat", "faired"]
 
