@@ -20,7 +20,7 @@ set(rest "\n${CMAKE_MATCH_3}")
 # their own, or follow after blanks. Of their lines, those that begin with a choice and a colon stay lines.
 string(REGEX REPLACE "\n([A-Z][A-Za-z' ]+):\n" "\n.SS \\1\n" rest "${rest}")
 string(REGEX REPLACE "\n\\.SS (Examples|Exit status)\n" "\n.SH \\1\n" rest "${rest}")
-string(REGEX REPLACE "\n      +(\\.?[a-z\\\\-]+: )" "\n.br\n\\1" rest "${rest}")
+string(REGEX REPLACE "\n      +(\\.?[a-z0-9\\\\-]+: )" "\n.br\n\\1" rest "${rest}")
 string(REGEX REPLACE "\n      +" "\n" rest "${rest}")
 string(REGEX REPLACE "\n  ([^ \n][^\n]*)" "\n.TP\n.B \\1" rest "${rest}")
 string(REGEX REPLACE "(\n\\.B [^\n]*[^ \n])   *([^ \n])" "\\1\n\\2" rest "${rest}")

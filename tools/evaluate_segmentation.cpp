@@ -5,24 +5,27 @@
 // evaluate_segmentation MESH SEGMENTATION REFERENCE...
 //
 // Scores a segmentation against one or more references, for example those made by humans: as a
-// table for people, as JSON for programs. All scores are those of the program of the Princeton Segmentation
-// Benchmark, so that they can stand beside published ones.
+// table for people, as JSON for programs. All scores but the last are those of the program of the Princeton Segmentation
+// Benchmark, so that they can stand beside published ones; the last is that of learned methods.
 
 #include "command_line/Error.h"
 #include "command_line/Help_formatter.h"
 #include "command_line/tool_main.h"
 #include "rand_index_error_of_benchmark.h"
+#include "reading/read_labels.h"
 #include "reading/read_mesh.h"
-#include "reading/read_segmentation.h"
 #include "writing/write_output.h"
 
 #include <CGAL/segmentation_metrics.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
@@ -64,7 +67,8 @@ std::vector<Score> scores(const Metrics& metrics)
           {"global_consistency_error", "GCE", consistency.global},
           {"local_consistency_error", "LCE", consistency.local},
           {"global_consistency_error_by_area", "GCEa", consistency.global_by_area},
-          {"local_consistency_error_by_area", "LCEa", consistency.local_by_area}};
+          {"local_consistency_error_by_area", "LCEa", consistency.local_by_area},
+          {"mean_best_intersection_over_union", "IoU", metrics.mean_best_intersection_over_union}};
 }
 
 std::string row(const std::vector<Score>& scores, const std::string& reference)
@@ -134,20 +138,24 @@ void print_table(const std::vector<std::string>& references, const std::vector<M
   std::cout << "Smaller is better. RI Rand index error, HD Hamming distance, Rm missing rate,\n"
                "Rf false-alarm rate, CD cut discrepancy (- where a side has no border),\n"
                "GCE and LCE global and local consistency error, GCEa and LCEa by area.\n"
-               "All as the program of the Princeton Segmentation Benchmark computes them.\n";
+               "All as the program of the Princeton Segmentation Benchmark computes them.\n"
+               "IoU mean best intersection over union, by faces, as learned methods are measured:\n"
+               "larger is better; faces of the reference with a negative label are in no part.\n";
 }
 
-Metrics metrics_of_benchmark(const tool::Mesh& mesh,
-                             const tool::Segment_ids& segments,
-                             const tool::Segment_ids& reference)
+using Labels = std::vector<std::int64_t>;
+
+Metrics metrics_of_benchmark(const tool::Mesh& mesh, const Labels& segments, const Labels& reference)
 {
-  Metrics metrics = CGAL::Protrusion_segmentation::segmentation_metrics(mesh, segments, reference);
+  const auto map = [&](const Labels& labels)
+  { return boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh)); };
+  Metrics metrics = CGAL::Protrusion_segmentation::segmentation_metrics(mesh, map(segments), map(reference));
   metrics.rand_index_error = rand_index_error_of_benchmark(metrics.rand_index_error,
                                                            mesh.number_of_faces());
   return metrics;
 }
 
-// Folders become the .seg files in them, as the benchmark's archive has one for each mesh.
+// Folders become the .seg and .npy files in them, as the benchmark's archive has one for each mesh.
 std::vector<std::string> files_of(const std::vector<std::string>& references)
 {
   namespace fs = std::filesystem;
@@ -162,10 +170,10 @@ std::vector<std::string> files_of(const std::vector<std::string>& references)
     }
     const std::size_t begin = result.size();
     for (const fs::directory_entry& entry : fs::directory_iterator(reference, ignored))
-      if (entry.path().extension() == ".seg")
+      if (entry.path().extension() == ".seg" || entry.path().extension() == ".npy")
         result.push_back(entry.path().string());
     if (result.size() == begin)
-      throw tool::Error(reference, "has no .seg files in it");
+      throw tool::Error(reference, "has no .seg or .npy files in it");
     std::sort(result.begin() + std::ptrdiff_t(begin), result.end(),
               [](const std::string& a, const std::string& b)
               { return std::make_pair(a.size(), a) < std::make_pair(b.size(), b); }); // 2 before 10
@@ -177,14 +185,11 @@ void evaluate(const Command_line& command_line)
 {
   const std::vector<std::string> references = files_of(command_line.references);
   tool::Input_mesh input = tool::read_input_mesh(command_line.mesh);
-  const tool::Segment_ids segments = tool::read_segmentation(command_line.segmentation, input);
+  const Labels segments = tool::read_some_labels(command_line.segmentation, input);
   std::vector<Metrics> metrics;
   for (const std::string& reference : references)
-  {
-    tool::Segment_ids reference_ids = tool::read_segmentation(reference, input);
-    metrics.push_back(metrics_of_benchmark(input.mesh, segments, reference_ids));
-    input.mesh.remove_property_map(reference_ids);
-  }
+    metrics.push_back(
+      metrics_of_benchmark(input.mesh, segments, tool::read_some_labels(reference, input)));
 
   const auto write_json = [&](std::ostream& out)
   {
@@ -209,12 +214,14 @@ void add_options(CLI::App& app, Command_line& command_line)
     ->type_name("");
   app
     .add_option("SEGMENTATION", command_line.segmentation,
-                "the segmentation to score: one segment id a line (.seg)")
+                "the segmentation to score, with a label for each face of the mesh.\n"
+                "Formats: .seg (one a line), .npy (a vector), .json (an array, or an object such as {\"0\": 3, "
+                "\"1\": 3}), face data \"segment\" or \"label\" of .ply or .vtp.")
     ->required()
     ->type_name("");
   app
     .add_option("REFERENCE", command_line.references,
-                "segmentations to compare it with, or folders of such")
+                "segmentations to compare it with, or folders of .seg and .npy files")
     ->required()
     ->type_name("");
   app
@@ -229,7 +236,8 @@ void add_options(CLI::App& app, Command_line& command_line)
     {{"evaluate_segmentation horse.obj mine.seg a.seg b.seg", "a table with a row for each reference"},
      {"evaluate_segmentation 1.off mine.seg MeshsegBenchmark-1.0/data/seg/Benchmark/1",
       "all references of the benchmark"},
-     {"evaluate_segmentation horse.obj mine.seg a.seg --json=scores.json", "the same as JSON"}});
+     {"evaluate_segmentation horse.obj mine.seg a.seg --json=scores.json", "the same as JSON"},
+     {"evaluate_segmentation horse.glb face2label.json true.npy", "files of learned methods"}});
 }
 
 int main(int argc, char** argv)

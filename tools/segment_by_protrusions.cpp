@@ -13,6 +13,7 @@
 #include "command_line/segment_options.h"
 #include "command_line/tool_main.h"
 #include "segmentation/segment_file.h"
+#include "segmentation/write_findings.h"
 #include "writing/outputs.h"
 #include "writing/part_names.h"
 #include "writing/write_output.h"
@@ -60,8 +61,10 @@ void print_summary(const tool::Command_line& command_line, const tool::Findings&
                   tool::note_on_further_parts(name, findings.segmentation.number_of_segments));
   if (command_line.json == "-" || std::find(outputs.begin(), outputs.end(), "-") != outputs.end())
     return; // nothing else shall be on the standard output
-  const bool is_anything_written = !outputs.empty() || !command_line.json.empty() ||
-                                   !command_line.report.empty() || !command_line.borders.empty();
+  const std::vector<std::string> others = {command_line.json, command_line.report, command_line.borders,
+                                           command_line.skeleton, command_line.rig};
+  const bool is_anything_written = !outputs.empty() || std::any_of(others.begin(), others.end(),
+                                                                   [](const std::string& name) { return !name.empty(); });
   std::cout << findings.input << ": " << tool::summary(findings)
             << (is_anything_written ? "" : " (nothing written: see -o, --report)") << "\n";
   for (const std::string& name : outputs)
@@ -73,7 +76,7 @@ void print_summary(const tool::Command_line& command_line, const tool::Findings&
                     : "")
               << "\n";
   }
-  for (const std::string& name : {command_line.json, command_line.report, command_line.borders})
+  for (const std::string& name : others)
     if (!name.empty())
       std::cout << "wrote " << name << "\n";
 }
@@ -121,13 +124,12 @@ bool is_large(const std::string& file)
 void segment_one(const tool::Command_line& command_line)
 {
   tool::Output_names names = {command_line.outputs, command_line.report, command_line.json,
-                              command_line.borders};
-  if (!command_line.caps.empty())
-    names.caps = command_line.caps == "flat" ? tool::Caps::FLAT : tool::Caps::FAIRED;
+                              command_line.borders, command_line.skeleton, command_line.rig,
+                              tool::caps_of_name(command_line.caps)};
   tool::Segmentation_options options = command_line.options;
   if (!command_line.tips.empty())
     options.tips = tool::read_tips(command_line.tips);
-  tool::check_can_be_written(names);
+  tool::check_can_be_written(names, options.formats);
   tool::Progress_bar bar(!command_line.is_quiet && tool::is_standard_error_a_terminal(),
                          is_large(command_line.inputs.front()) ? std::chrono::seconds(0)
                                                                : std::chrono::seconds(2));

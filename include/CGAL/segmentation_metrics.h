@@ -232,8 +232,35 @@ std::optional<double> segmentation_cut_discrepancy(const FaceGraph& pmesh,
 /*!
 \ingroup PkgProtrusionSegmentationMetrics
 
-returns all metrics at once: `segmentation_rand_index_error()`, `segmentation_hamming_distance()`,
-`segmentation_cut_discrepancy()` and `segmentation_consistency_error()`, for less than the sum of their times.
+returns how well the parts of a reference are found: the mean, over all parts of the reference, of the largest
+intersection over union of the part and any segment. Larger is better.
+
+This is the metric of learned methods. Faces are counted, not weighted. A segment may be the best one for many parts.
+Faces of the reference with a negative id belong to no part. The two segmentations may not be exchanged.
+
+\param pmesh, segment_ids, reference_ids as for `segmentation_rand_index_error()`
+
+\return a number in (0, 1]; 1 if and only if each part is a segment, as without any part
+
+Complexity: linear in the number of faces, in expectation.
+*/
+template <typename FaceGraph, typename SegmentIdMap, typename ReferenceIdMap>
+double mean_best_intersection_over_union(const FaceGraph& pmesh,
+                                         const SegmentIdMap& segment_ids,
+                                         const ReferenceIdMap& reference_ids)
+{
+  if constexpr (internal::are_comparable<FaceGraph, SegmentIdMap, ReferenceIdMap>)
+    return internal::mean_best_intersection_over_union(
+      internal::segment_overlap(pmesh, segment_ids, reference_ids),
+      internal::segments_that_are_parts(pmesh, reference_ids));
+  else
+    return 1;
+}
+
+/*!
+\ingroup PkgProtrusionSegmentationMetrics
+
+returns all of these metrics at once, for less than the sum of their times.
 
 \param pmesh, segment_ids, reference_ids, np as for `segmentation_cut_discrepancy()`
 
@@ -262,6 +289,8 @@ Segmentation_metrics segmentation_metrics(const FaceGraph& pmesh,
     result.cut_discrepancy = Protrusion_segmentation::segmentation_cut_discrepancy(pmesh, segment_ids,
                                                                                    reference_ids, np);
     result.consistency_error = internal::consistency_error(overlap);
+    result.mean_best_intersection_over_union = internal::mean_best_intersection_over_union(
+      overlap, internal::segments_that_are_parts(pmesh, reference_ids));
   }
   return result;
 }

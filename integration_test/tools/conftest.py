@@ -6,7 +6,7 @@
 The environment says which tools are tested:
     PROTRUSION_SEGMENTATION_TOOLS      the folder of the programs
     PROTRUSION_SEGMENTATION_LIBRARIES  the libraries that they were built with, separated by commas,
-                                       of tbb, lib3mf, vtk, three.js
+                                       of tbb, lib3mf, vtk, tinygltf, three.js
 """
 
 import os
@@ -55,7 +55,7 @@ def example_meshes(programs, tmp_path_factory):
     folder = tmp_path_factory.mktemp("example_meshes")
     make = Tool(programs / "make_example_mesh", folder)
     for shape, name, faces in (("teddy", "teddy", 3000), ("horse", "horse", 1000),
-                               ("hand", "large", 20000)):
+                               ("hand", "large", 20000), ("octopus", "octopus", 4000)):
         make(shape, f"{name}.off", "--faces", faces)
     return folder
 
@@ -64,6 +64,12 @@ def example_meshes(programs, tmp_path_factory):
 def teddy(example_meshes, tmp_path):
     """3,000 faces, in teddy.off, which may be changed."""
     return shutil.copy(example_meshes / "teddy.off", tmp_path) and tmp_path / "teddy.off"
+
+
+@pytest.fixture
+def octopus(example_meshes, tmp_path):
+    """A body with eight arms, in octopus.off, which may be changed."""
+    return shutil.copy(example_meshes / "octopus.off", tmp_path) and tmp_path / "octopus.off"
 
 
 @pytest.fixture

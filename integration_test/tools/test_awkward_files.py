@@ -66,4 +66,4 @@ def test_bad_segmentation(evaluate, data, tmp_path, name, duty):
 def test_table_has_every_file(data):
     files = {path.name for path in data.iterdir()} - {"README.md"}
     # What is demanded of these depends on the libraries that were found.
-    assert files - {name for name, _ in TABLE} == {"strips.vtp", "three_tetrahedra.3mf"}
+    assert files - {name for name, _ in TABLE} == {"strips.vtp", "three_tetrahedra.3mf", "tetrahedron.gltf"}

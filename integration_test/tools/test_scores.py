@@ -5,6 +5,7 @@
 
 import json
 
+import numpy as np
 import pytest
 
 
@@ -36,4 +37,41 @@ def test_folder_of_references(evaluate, tetrahedron, references):
 
 def test_folder_without_references(evaluate, tetrahedron, references, tmp_path):
     (tmp_path / "empty").mkdir()
-    evaluate.refuses(tetrahedron, references / "1_0.seg", "empty", message="empty: has no .seg files in it")
+    evaluate.refuses(tetrahedron, references / "1_0.seg", "empty", message="empty: has no .seg or .npy files in it")
+
+
+def test_formats_of_learned_methods(evaluate, tetrahedron, tmp_path):
+    """The same scores, whatever the labels come in."""
+    (tmp_path / "a.seg").write_text("0\n0\n3\n1\n")
+    np.save(tmp_path / "a.npy", np.array([0, 0, 3, 1]))
+    (tmp_path / "list.json").write_text("[0, 0, 3, 1]")
+    (tmp_path / "face2label.json").write_text('{"3": 1, "0": 0, "1": 0, "2": 3}')
+    np.save(tmp_path / "true.npy", np.array([0, 0, 1, 1]))
+    (scores,) = {evaluate(tetrahedron, name, "true.npy", "--json").out
+                 for name in ("a.seg", "a.npy", "list.json", "face2label.json")}
+    mean = json.loads(scores)["mean"]
+    assert mean["mean_best_intersection_over_union"] == pytest.approx((1 + 1 / 2) / 2)
+
+
+def test_faces_in_no_part(evaluate, tetrahedron, tmp_path):
+    np.save(tmp_path / "a.npy", np.array([0, 0, 3, 1]))
+    np.save(tmp_path / "true.npy", np.array([5, 5, -1, -1]))
+    scores = json.loads(evaluate(tetrahedron, "a.npy", "true.npy", "--json").out)
+    assert scores["mean"]["mean_best_intersection_over_union"] == 1
+    assert evaluate(tetrahedron, "a.npy", "true.npy").out.splitlines()[1].split()[-2:] == ["1.0000", "true.npy"]
+
+
+@pytest.mark.parametrize("content, message", [
+    ("{", "is no JSON with an array of labels"),
+    ("3", "is no JSON with an array of labels"),
+    ("[0, 0, 1]", "has 3 labels, but the mesh has 4 faces"),
+    ("[0, 0, 1, 0.5]", "has a label that is no integer: 0.5"),
+    ("[0, 0, 1, 1e300]", "has a label that is no integer: 1e+300"),
+    ("[0, 0, 1, 12345678901]", "the label of face 3 is no integer of 32 bits"),
+    ('{"0": 0, "1": 0, "2": 0, "7": 0}', "one of them is for face '7'"),
+    ('{"0": 0, "1": 0, "2": 0, "01": 0}', "has no label for face 3"),
+    ('{"0": 0, "1": 0, "2": 0, "x": 0}', "one of them is for face 'x'"),
+])
+def test_json_that_is_no_labels(evaluate, tetrahedron, tmp_path, content, message):
+    (tmp_path / "a.json").write_text(content)
+    evaluate.refuses(tetrahedron, "a.json", "a.json", message=message)

@@ -196,7 +196,7 @@ def tips(
 
 
 class Metrics(NamedTuple):
-    """How far two segmentations are from each other; smaller is better."""
+    """How far two segmentations are from each other; smaller is better, but for the last one."""
 
     rand_index_error: float
     """The share of the pairs of faces on which the segmentations disagree."""
@@ -212,16 +212,21 @@ class Metrics(NamedTuple):
     local_consistency_error: float
     global_consistency_error_by_area: float
     local_consistency_error_by_area: float
+    mean_best_intersection_over_union: float
+    """The mean over the parts of the reference of the largest intersection over union; larger is better."""
 
 
 def evaluate(vertices: npt.ArrayLike, faces: Faces, labels: npt.ArrayLike, reference: npt.ArrayLike) -> Metrics:
     """Compare a segmentation with another one, by the metrics of the Princeton Segmentation Benchmark.
 
+    The last metric is that of learned methods.
+
     Parameters
     ----------
     vertices, faces : as for `segment()`
     labels : (m,) array of integers, the segment of every face
-    reference : (m,) array of integers, those that they are compared with
+    reference : (m,) array of integers, those that they are compared with. For the last metric, faces with
+        negative ones are in no part.
     """
     ids, others = _integers("labels", labels), _integers("reference", reference)
     return Metrics(*_core.evaluate(*_arrays(vertices, faces), ids, others))

@@ -239,7 +239,7 @@ py::tuple evaluate(const Coordinates& vertices,
   const auto& consistency = metrics.consistency_error;
   return py::make_tuple(metrics.rand_index_error, hamming.distance, hamming.missing_rate, hamming.false_alarm_rate,
                         metrics.cut_discrepancy, consistency.global, consistency.local, consistency.global_by_area,
-                        consistency.local_by_area);
+                        consistency.local_by_area, metrics.mean_best_intersection_over_union);
 }
 
 // A `ValueError` with the names of the arguments in Python: what is `pmesh` in C++ is given as vertices and faces.

@@ -228,6 +228,7 @@ def test_evaluate_by_hand():
     assert metrics.hamming_distance == pytest.approx(metrics.false_alarm_rate / 2)
     assert metrics.cut_discrepancy is None
     assert metrics.global_consistency_error == 0
+    assert metrics.mean_best_intersection_over_union == pytest.approx((3 / 4 + 1 / 4) / 2)
     same = ps.evaluate(points, triangles, [0, 0, 1, 1], [9, 9, -3, -3])
     assert same.rand_index_error == 0
     assert same.cut_discrepancy == 0

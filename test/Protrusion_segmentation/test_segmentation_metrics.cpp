@@ -34,6 +34,7 @@ void check_same(const Metrics& a, const Metrics& b, double tolerance = 0)
   CHECK_CLOSE(a.consistency_error.local, b.consistency_error.local, tolerance);
   CHECK_CLOSE(a.consistency_error.global_by_area, b.consistency_error.global_by_area, tolerance);
   CHECK_CLOSE(a.consistency_error.local_by_area, b.consistency_error.local_by_area, tolerance);
+  CHECK_CLOSE(a.mean_best_intersection_over_union, b.mean_best_intersection_over_union, tolerance);
 }
 
 // All but the cut discrepancy, which is checked apart.
@@ -74,8 +75,24 @@ void test_strip_by_hand()
   CHECK_CLOSE(m.consistency_error.local, (0 + 1 / 2. + 0) / 4, exact);
   CHECK_CLOSE(m.consistency_error.global_by_area, m.consistency_error.global, exact);
   CHECK_CLOSE(m.consistency_error.local_by_area, m.consistency_error.local, exact);
+  // of {a, b}: 1 of {a}, 1 of 4 of {b, c, d} are common; of {c, d}: 2 of 3
+  CHECK_CLOSE(m.mean_best_intersection_over_union, (1 / 2. + 2 / 3.) / 2, exact);
   // both borders have 2 points at a distance of 1; centroids at -3/2, -1/2, 1/2, 3/2 of the middle
   CHECK_CLOSE(m.cut_discrepancy.value(), 1 / 1., exact);
+}
+
+// The best segment may be one for many parts; what has a negative id is no part; faces are counted.
+void test_mean_best_intersection_over_union_by_hand()
+{
+  const auto mean = [](const Labels& segments, const Labels& reference)
+  { return metrics_of(strip_of_squares(6), segments, reference).mean_best_intersection_over_union; };
+  CHECK_CLOSE(mean({0, 0, 0, 0, 0, 0}, {0, 0, 0, 1, 1, 2}), (3 / 6. + 2 / 6. + 1 / 6.) / 3, exact);
+  CHECK_CLOSE(mean({0, 0, 0, 1, 1, 2}, {0, 0, 0, 0, 0, 0}), 3 / 6., exact);
+  CHECK_CLOSE(mean({0, 0, 1, 1, 2, 2}, {7, 7, 7, 5, 5, 5}), 2 / 3., exact);
+  CHECK_EQUAL(mean({0, 0, 1, 1, 2, 3}, {4, 4, 9, 9, -1, -1}), 1);
+  CHECK_CLOSE(mean({0, 0, 0, 1, 1, 1}, {4, 4, -1, 9, 9, 9}), (2 / 3. + 1) / 2, exact);
+  CHECK_CLOSE(mean({-1, -1, -1, 1, 1, 1}, {4, 4, 4, 9, 9, 9}), 1, exact); // of the segments all count
+  CHECK_EQUAL(mean({0, 0, 0, 0, 0, 0}, {-1, -1, -1, -1, -1, -1}), 1);
 }
 
 // Two triangles of area 1/2 at the ends of a rectangle of area 3, which has one half of it each.
@@ -221,7 +238,9 @@ void test_exchange()
   const Labels a = random_labels(20, 4, 1), b = random_labels(20, 3, 2);
   Metrics exchanged = metrics_of(mesh, b, a);
   std::swap(exchanged.hamming_distance.missing_rate, exchanged.hamming_distance.false_alarm_rate);
-  check_same(metrics_of(mesh, a, b), exchanged, exact);
+  const Metrics metrics = metrics_of(mesh, a, b);
+  exchanged.mean_best_intersection_over_union = metrics.mean_best_intersection_over_union;
+  check_same(metrics, exchanged, exact);
 }
 
 void test_one_segment()
@@ -337,6 +356,7 @@ void test_single_functions_agree_with_all_at_once()
   apart.hamming_distance = CGAL::Protrusion_segmentation::segmentation_hamming_distance(mesh, a, b);
   apart.cut_discrepancy = CGAL::Protrusion_segmentation::segmentation_cut_discrepancy(mesh, a, b);
   apart.consistency_error = CGAL::Protrusion_segmentation::segmentation_consistency_error(mesh, a, b);
+  apart.mean_best_intersection_over_union = CGAL::Protrusion_segmentation::mean_best_intersection_over_union(mesh, a, b);
   check_same(apart, CGAL::Protrusion_segmentation::segmentation_metrics(mesh, a, b));
 }
 
@@ -365,6 +385,7 @@ int main()
 {
   test_coordinates_that_are_not_finite();
   test_strip_by_hand();
+  test_mean_best_intersection_over_union_by_hand();
   test_areas_by_hand();
   test_kinds_of_segment_id_maps();
   test_scale_does_not_matter();

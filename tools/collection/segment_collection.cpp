@@ -10,6 +10,7 @@
 #include "command_line/Progress_bar.h"
 #include "reading/read_soup.h"
 #include "segmentation/segment_file.h"
+#include "segmentation/write_findings.h"
 #include "writing/json.h"
 #include "writing/outputs.h"
 #include "writing/part_names.h"
@@ -159,7 +160,8 @@ private:
   // What was written in a format, or the first part of it.
   fs::path output(const Mesh_in_collection& mesh, const std::string& format) const
   {
-    return m_options.caps.empty() || format == "html" || !holds_a_mesh("mesh." + format)
+    return m_options.caps.empty() || format == "html" || !holds_a_mesh("mesh." + format) ||
+               holds_parts("mesh." + format)
              ? path(mesh, format)
              : folder_of_parts(mesh) / ("0." + format);
   }
@@ -197,7 +199,7 @@ private:
           names.segments.push_back(path(mesh, format).string());
       if (!m_options.caps.empty())
       {
-        names.caps = m_options.caps == "flat" ? Caps::FLAT : Caps::FAIRED;
+        names.caps = caps_of_name(m_options.caps);
         names.folder_of_parts = folder_of_parts(mesh).string();
       }
       names.json = path(mesh, "json").string();

@@ -42,7 +42,7 @@ void check_inputs(const Command_line& command_line)
   for (const std::string& input : command_line.inputs)
     if (!std::filesystem::exists(input, ignored))
     {
-      if (!command_line.caps.empty() && (input == "flat" || input == "faired"))
+      if (!command_line.caps.empty() && (input == "flat" || input == "faired" || input == "hull"))
         throw std::invalid_argument("'" + input + "' is no mesh; caps are chosen by --close=" + input);
       if (is_pattern(input))
         throw std::invalid_argument("'" + input + "' is no mesh; an output is named by -o");
@@ -69,7 +69,7 @@ void check_collection(const CLI::App& app, const Command_line& command_line)
   if (command_line.output_folder.empty())
     throw std::invalid_argument("several meshes or a folder of meshes need --output-folder");
   refuse({"--report"}, " has no meaning with --output-folder; --format html writes a page for each mesh");
-  refuse({"--output", "--json", "--borders", "--tips", "--labels", "--names"},
+  refuse({"--output", "--json", "--borders", "--skeleton", "--rig", "--tips", "--labels", "--names"},
          " has no meaning with --output-folder");
   for (const std::string& format : command_line.formats)
     if (format != "html")
@@ -103,15 +103,22 @@ void check_outputs(const Command_line& command_line)
   for (const std::string& name : outputs)
     check_output_name(name);
   const std::vector<std::string>& formats = command_line.formats; // of a collection
-  if (!command_line.caps.empty() && std::none_of(outputs.begin(), outputs.end(), is_pattern) &&
+  if (!command_line.caps.empty() &&
+      std::none_of(outputs.begin(), outputs.end(),
+                   [](const std::string& name) { return is_pattern(name) || holds_parts(name); }) &&
       std::none_of(formats.begin(), formats.end(),
                    [](const std::string& format)
                    { return format != "html" && holds_a_mesh("mesh." + format); }))
     throw std::invalid_argument(
-      "--close has no meaning without a %d or %s in the name of an output, or --format "
+      "--close has no meaning without a %d or %s in the name of an output, or .3mf, or --format "
       "with a format of meshes");
   if (!command_line.borders.empty() && lower_case_extension(command_line.borders) != ".vtp")
     throw std::invalid_argument("--borders: '" + command_line.borders + "' has not the extension .vtp");
+  if (!command_line.skeleton.empty() && lower_case_extension(command_line.skeleton) != ".vtp")
+    throw std::invalid_argument("--skeleton: '" + command_line.skeleton + "' has not the extension .vtp");
+  if (const std::string extension = lower_case_extension(command_line.rig);
+      !command_line.rig.empty() && extension != ".glb" && extension != ".gltf")
+    throw std::invalid_argument("--rig: '" + command_line.rig + "' has not the extension .glb or .gltf");
 }
 
 std::string place_of(const std::string& name)
@@ -124,8 +131,13 @@ void check_names(const Command_line& command_line)
 {
   std::vector<std::string> names, patterns;
   for (const std::string& name : command_line.outputs)
+  {
     (is_pattern(name) ? patterns : names).push_back(name);
-  for (const std::string& name : {command_line.json, command_line.report, command_line.borders})
+    if (const std::string companion = companion_of(name, command_line.options.formats); !companion.empty())
+      names.push_back(companion);
+  }
+  for (const std::string& name : {command_line.json, command_line.report, command_line.borders,
+                                  command_line.skeleton, command_line.rig})
     if (!name.empty())
       names.push_back(name);
   const std::vector<std::string> inputs = {command_line.inputs.front(), command_line.tips,
@@ -162,6 +174,7 @@ void check(const CLI::App& app, const Command_line& command_line)
     check_meanings(app, methods(), command_line.options.method);
     check_meanings(app, distances(), command_line.options.distance);
     check_options(command_line.options);
+    check_format_options(command_line.options.formats);
     check_inputs(command_line);
     check_collection(app, command_line);
     check_labels(app, command_line);

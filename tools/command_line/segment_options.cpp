@@ -8,10 +8,9 @@
 #include "command_line/check_command_line.h"
 #include "command_line/integer_option.h"
 #include "command_line/number.h"
+#include "command_line/output_options.h"
 #include "reading/read_soup.h"
-#include "report/report.h"
 #include "segmentation/segment.h"
-#include "writing/outputs.h"
 
 #include <CLI/CLI.hpp>
 
@@ -102,7 +101,7 @@ void add_segmentation_options(CLI::App& app, Command_line& command_line)
   app
     .add_option(
       "--labels", options.labels,
-      "take the segments from a file instead: .seg, .npy, or face data \"segment\" or \"label\" of a "
+      "take the segments from a file instead: .seg, .npy, .json, or face data \"segment\" or \"label\" of a "
       "PLY or VTP file, as of INPUT itself")
     ->excludes("--segments")
     ->excludes("--tips")
@@ -165,64 +164,6 @@ void add_options_of_distances(CLI::App& app, Segmentation_options& options)
       "time of the diffusion distance, 0 or more; after a time of 1 the slowest term has decayed to 1/e")
     ->type_name("T")
     ->capture_default_str()
-    ->group(group);
-}
-
-void add_options_of_meshes(CLI::App& app, Command_line& command_line, const char* group)
-{
-  std::string outputs =
-    "write the segments; may be repeated. With %d, %03d or %s in the name, a mesh is written for each "
-    "segment, by its number or its name, in a folder that is made if needed. - is the standard output, "
-    "in SEG. The extension "
-    "tells the format:";
-  for (const std::string& format : output_formats())
-    outputs += "\n" + format;
-  app.add_option("-o,--output", command_line.outputs, outputs)
-    ->allow_extra_args(false)
-    ->type_name("FILE")
-    ->group(group);
-  app
-    .add_flag("--close{flat}", command_line.caps,
-              "close the meshes of -o with %d or %s, or of --format, where they were cut off. If the "
-              "input is closed, so "
-              "are they.\n"
-              "flat: caps that two meshes share; volumes add up to that of the input (the default)\n"
-              "faired: rounded caps, separate for each mesh; slow for long rims")
-    ->check(CLI::IsMember({"flat", "faired"}).description(""))
-    ->option_text("[=CAPS]")
-    ->group(group);
-  app
-    .add_flag("--smooth-borders", command_line.options.are_borders_smooth,
-              "cut faces along smooth borders. Meshes then have more faces, each with the number of its "
-              "old face; "
-              "SEG has the segment of the largest piece of each old face.")
-    ->group(group);
-}
-
-void add_output_options(CLI::App& app, Command_line& command_line)
-{
-  const char* group = "Output";
-  add_options_of_meshes(app, command_line, group);
-  app
-    .add_option(
-      "--borders", command_line.borders,
-      "write the borders as lines of VTK (.vtp), with both segments, length, value and probability")
-    ->type_name("FILE")
-    ->group(group);
-  app
-    .add_option("--json", command_line.json, "write all that was found as JSON; - is the standard output")
-    ->type_name("FILE")
-    ->group(group);
-  app
-    .add_option(
-      "--report", command_line.report,
-      std::string("write a page for the browser: the mesh in 3D, and what is known of each segment") +
-        (can_write_report() ? "" : "\nNot available: three.js was not found at build time."))
-    ->type_name("FILE")
-    ->group(group);
-  app
-    .add_flag("--quiet", command_line.is_quiet,
-              "print nothing but errors, and a warning if there are fewer segments than asked for")
     ->group(group);
 }
 

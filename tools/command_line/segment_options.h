@@ -27,10 +27,12 @@ struct Command_line
   std::string json;    // "-" is the standard output
   std::string report;  // empty: none
   std::string borders; // empty: none
+  std::string skeleton; // empty: none
+  std::string rig;     // empty: none
   std::string tips;    // empty: none
   std::string joining; // of pieces: empty, "auto", or a gap
   std::string names;   // empty: none
-  std::string caps;    // empty: none; else "flat" or "faired"
+  std::string caps;    // empty: none; else "flat", "faired" or "hull"
   bool is_quiet = false;
 
   // of a collection of meshes

@@ -6,6 +6,7 @@
 #define PROTRUSION_SEGMENTATION_TOOLS_READING_POLYGON_SOUP_H
 
 #include "reading/Mesh.h"
+#include "reading/Surface_attributes.h"
 
 #include <cstddef>
 #include <vector>
@@ -20,6 +21,7 @@ struct Polygon_soup
 {
   std::vector<Point> points;
   std::vector<Polygon> polygons;
+  Surface_attributes attributes = {};
 };
 
 // The triangle that the last of the first `n` corners of a strip makes with the two before it; every other one is turned

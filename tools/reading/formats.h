@@ -29,6 +29,9 @@ Polygon_soup read_VTP(const std::string& bytes);
 #ifdef PROTRUSION_SEGMENTATION_HAS_3MF
 Polygon_soup read_3MF(const std::string& bytes);
 #endif
+#ifdef PROTRUSION_SEGMENTATION_HAS_GLTF
+Polygon_soup read_glTF(const std::string& bytes, const std::string& folder); // where files that it names are
+#endif
 
 // The labels of faces in face data of a name in `is_label()`.
 std::vector<double> read_PLY_labels(const std::string& bytes);
@@ -37,7 +40,7 @@ std::vector<double> read_VTP_labels(const std::string& bytes);
 #endif
 inline bool is_label(std::string_view name)
 {
-  return name == "segment" || name == "segments" || name == "label" || name == "labels";
+  return name == "segment" || name == "segments" || name == "label" || name == "labels" || name == "Label";
 }
 
 // `rest` is what follows the header line of a binary file, which says what vertices carry.

@@ -6,6 +6,7 @@
 
 #include "command_line/number.h"
 #include "reading/Normalized_text.h"
+#include "reading/OBJ_attributes.h"
 
 #include <CGAL/IO/OBJ.h>
 
@@ -14,13 +15,11 @@
 #include <string>
 #include <string_view>
 
-namespace tool
-{
-namespace
-{
+namespace tool {
+namespace {
 
-// Keeps vertices and faces, those with indices of vertices only. Texture, normals, groups, lines, points, curves and
-// surfaces are left out.
+// Keeps vertices and faces, those with indices of vertices only, and attributes apart. Groups, lines, points, curves and surfaces
+// are left out.
 class OBJ_normalizer
 {
 public:
@@ -35,6 +34,10 @@ public:
   }
 
   const Normalized_text& text() const { return m_text; }
+  Surface_attributes take_attributes(std::size_t number_of_points)
+  {
+    return m_attributes.take(number_of_points);
+  }
 
 private:
   // The path of a folder may end with a backslash.
@@ -64,6 +67,7 @@ private:
     line = without_comment(line);
     std::string_view words = line;
     const std::string_view keyword = take_word(words);
+    m_attributes.add(keyword, words);
     if (keyword == "v")
     {
       ++m_vertices;
@@ -96,8 +100,8 @@ private:
       throw Format_error(line, quote(corner) + " is no corner of a face");
     if (*index == 0 || -std::ptrdiff_t(*index) > std::ptrdiff_t(m_vertices))
       throw Format_error(line, missing_vertex(*index));
-    const std::size_t result = static_cast<std::size_t>(*index > 0 ? *index
-                                                                   : std::ptrdiff_t(m_vertices) + *index + 1);
+    const std::size_t result = static_cast<std::size_t>(
+      *index > 0 ? *index : std::ptrdiff_t(m_vertices) + *index + 1);
     if (result > m_largest_index)
     {
       m_largest_index = result;
@@ -113,6 +117,7 @@ private:
   }
 
   Normalized_text m_text;
+  OBJ_attributes m_attributes;
   std::size_t m_vertices = 0;
   std::size_t m_faces = 0;
   std::size_t m_largest_index = 0;
@@ -124,8 +129,10 @@ private:
 Polygon_soup read_OBJ(const std::string& bytes)
 {
   Polygon_soup soup;
-  OBJ_normalizer(bytes).text().read_by([&](std::istream& in)
-                                       { return CGAL::IO::read_OBJ(in, soup.points, soup.polygons); });
+  OBJ_normalizer normalizer(bytes);
+  normalizer.text().read_by([&](std::istream& in)
+                            { return CGAL::IO::read_OBJ(in, soup.points, soup.polygons); });
+  soup.attributes = normalizer.take_attributes(soup.points.size());
   return soup;
 }
 

@@ -8,16 +8,16 @@
 
 #include "reading/formats.h"
 
-#include "command_line/number.h"
 #include "reading/Format_error.h"
 #include "reading/Lines.h"
+#include "reading/PLY_attributes.h"
 #include "reading/PLY_header.h"
+#include "reading/PLY_numbers.h"
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,119 +27,6 @@ namespace tool {
 namespace {
 
 using namespace PLY;
-
-// The numbers behind the header, one after the other.
-class Numbers
-{
-public:
-  Numbers(const std::string& bytes, std::size_t begin, std::size_t line, Encoding encoding)
-    : m_bytes(bytes),
-      m_position(begin),
-      m_begin(begin),
-      m_line(line),
-      m_encoding(encoding)
-  {}
-
-  // From now on every element has a line of its own, and what is left of the line does not matter.
-  void go_by_lines() { m_separators = " \t\v\f"; }
-
-  // Where an element begins.
-  void begin_element()
-  {
-    if (m_separators != any_separators)
-      m_position = (std::min)(m_bytes.find_first_not_of(any_separators, m_position), m_bytes.size());
-  }
-
-  // Where it ends.
-  void end_element()
-  {
-    if (m_separators != any_separators)
-      m_position = (std::min)(m_bytes.find_first_of("\r\n", m_position), m_bytes.size());
-  }
-
-  double take(const Type& type) { return m_encoding == Encoding::text ? take_word() : take_binary(type); }
-
-  // A number of values in a list. Each takes a byte at least.
-  std::size_t take_count(const Type& type)
-  {
-    const double count = take(type);
-    if (!(count >= 0 && count <= double(m_bytes.size() - m_position)))
-      fail("a list announces more than the file can hold");
-    return static_cast<std::size_t>(count);
-  }
-
-  std::size_t take_index(const Type& type)
-  {
-    const double index = take(type);
-    if (!(index >= 0 && index < 4294967296. && index == double(std::size_t(index))))
-      fail("a face names vertex " + std::to_string(index));
-    return static_cast<std::size_t>(index);
-  }
-
-  [[noreturn]] void fail(const std::string& cause) const
-  {
-    if (m_encoding != Encoding::text)
-      throw Format_error("byte " + std::to_string(m_position) + ": " + cause);
-    const auto begin = m_bytes.begin() + std::ptrdiff_t(m_begin);
-    const auto end = m_bytes.begin() + std::ptrdiff_t(m_position);
-    throw Format_error(m_line + 1 + std::size_t(std::count(begin, end, '\n')), cause);
-  }
-
-private:
-  double take_word()
-  {
-    const std::size_t begin = m_bytes.find_first_not_of(m_separators, m_position);
-    if (begin == std::string::npos)
-      throw Format_error("ends too early");
-    m_position = (std::min)(m_bytes.find_first_of(any_separators, begin), m_bytes.size());
-    if (m_position == begin)
-      fail("has fewer numbers than the header says");
-    const std::string_view word(m_bytes.data() + begin, m_position - begin);
-    const auto value = number<double>(word);
-    if (!value)
-      fail(quote(word) + " is no number");
-    return *value;
-  }
-
-  double take_binary(const Type& type)
-  {
-    if (m_bytes.size() - m_position < type.size)
-      throw Format_error("ends too early");
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < type.size; ++i)
-    {
-      const std::size_t place = m_encoding == Encoding::largest_byte_first ? i : type.size - 1 - i;
-      bits = bits << 8 | static_cast<unsigned char>(m_bytes[m_position + place]);
-    }
-    m_position += type.size;
-    if (type.kind == 'u')
-      return double(bits);
-    if (type.kind == 'i')
-    {
-      const std::uint64_t sign = std::uint64_t(1) << (8 * type.size - 1);
-      return double(bits) - ((bits & sign) != 0 ? 2 * double(sign) : 0);
-    }
-    return type.size == 4 ? as<float>(std::uint32_t(bits)) : as<double>(bits);
-  }
-
-  template <typename Float, typename Bits>
-  static double as(Bits bits)
-  {
-    static_assert(sizeof(Float) == sizeof(Bits));
-    Float value;
-    std::memcpy(&value, &bits, sizeof(value));
-    return value;
-  }
-
-  static constexpr std::string_view any_separators = " \t\v\f\r\n";
-
-  const std::string& m_bytes;
-  std::string_view m_separators = any_separators; // of the numbers of an element
-  std::size_t m_position;
-  std::size_t m_begin;
-  std::size_t m_line; // that of the header's end
-  Encoding m_encoding;
-};
 
 class PLY_reader
 {
@@ -151,14 +38,22 @@ public:
     if (m_header.encoding == Encoding::text && has_a_line_for_each_element())
       numbers.go_by_lines();
     for (const Element& element : m_header.elements)
-      read(element, numbers);
+      if (element.name == "vertex")
+        read_vertices(element, numbers);
+      else
+        read(element, numbers);
     if (m_soup.polygons.empty())
       throw Format_error(has("range_grid")
                            ? "is a range grid, the depths that a scanner saw, without faces"
                            : "has no faces");
   }
 
-  Polygon_soup take_soup() { return std::move(m_soup); }
+  Polygon_soup take_soup()
+  {
+    if (m_attributes)
+      m_soup.attributes = m_attributes->take(m_soup);
+    return std::move(m_soup);
+  }
   std::vector<double> take_labels() { return std::move(m_labels); }
 
 private:
@@ -179,22 +74,51 @@ private:
     return lines_with_text == elements;
   }
 
+  // A list has no value.
+  void read_vertices(const Element& vertex, Numbers& numbers)
+  {
+    if (vertex.properties.empty())
+      return;
+    check_coordinates(vertex);
+    Attributes attributes(vertex);
+    std::vector<double> values(vertex.properties.size(), 0);
+    std::array<std::size_t, 3> places = {0, 0, 0}; // of the coordinates
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (const std::string& name = vertex.properties[i].name;
+          name.size() == 1 && name[0] >= 'x' && name[0] <= 'z')
+        places[std::size_t(name[0] - 'x')] = i;
+    for (std::size_t i = 0; i < vertex.count; ++i)
+    {
+      numbers.begin_element();
+      for (std::size_t k = 0; k < values.size(); ++k)
+        if (const Property& property = vertex.properties[k]; property.count_type)
+          skip_list(property, numbers);
+        else
+          values[k] = numbers.take(property.type);
+      numbers.end_element();
+      m_soup.points.emplace_back(values[places[0]], values[places[1]], values[places[2]]);
+      attributes.add_vertex(values);
+    }
+    m_attributes.emplace(std::move(attributes));
+  }
+
   void read(const Element& element, Numbers& numbers)
   {
     if (element.properties.empty())
       return;
-    if (element.name == "vertex")
-      check_coordinates(element);
     for (std::size_t i = 0; i < element.count; ++i)
     {
-      std::array<double, 3> point = {0, 0, 0};
       numbers.begin_element();
       for (const Property& property : element.properties)
-        read(element, property, numbers, point);
+        read(element, property, numbers);
       numbers.end_element();
-      if (element.name == "vertex")
-        m_soup.points.emplace_back(point[0], point[1], point[2]);
     }
+  }
+
+  static void skip_list(const Property& property, Numbers& numbers)
+  {
+    for (std::size_t left = numbers.take_count(*property.count_type); left > 0; --left)
+      numbers.take(property.type);
   }
 
   static void check_coordinates(const Element& vertex)
@@ -206,20 +130,13 @@ private:
         throw Format_error("its vertices have no property " + coordinate);
   }
 
-  void read(const Element& element,
-            const Property& property,
-            Numbers& numbers,
-            std::array<double, 3>& point)
+  void read(const Element& element, const Property& property, Numbers& numbers)
   {
-    const bool is_coordinate = property.name.size() == 1 && property.name[0] >= 'x' &&
-                               property.name[0] <= 'z';
     const bool is_corners = property.name == "vertex_indices" || property.name == "vertex_index";
     if (!property.count_type)
     {
       const double value = numbers.take(property.type);
-      if (is_coordinate)
-        point[std::size_t(property.name[0] - 'x')] = value;
-      else if (element.name == "face" && is_label(property.name))
+      if (element.name == "face" && is_label(property.name))
         m_labels.push_back(value);
     }
     else if (is_corners && element.name == "face")
@@ -227,8 +144,7 @@ private:
     else if (is_corners && element.name == "tristrips")
       read_strips(property, numbers);
     else
-      for (std::size_t left = numbers.take_count(*property.count_type); left > 0; --left)
-        numbers.take(property.type);
+      skip_list(property, numbers);
   }
 
   void read_face(const Property& property, Numbers& numbers)
@@ -264,6 +180,7 @@ private:
   Polygon_soup m_soup;
   Polygon m_face; // the last one
   std::vector<double> m_labels;
+  std::optional<Attributes> m_attributes;
 };
 
 } // namespace

@@ -12,8 +12,10 @@
 #include "reading/read_bytes.h"
 #include "reading/read_segmentation.h"
 
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace tool {
 namespace {
@@ -68,21 +70,61 @@ std::vector<double> read_NPY(const std::string& bytes)
   return values;
 }
 
+using Json = nlohmann::json;
+
+double label_of(const Json& value)
+{
+  if (!value.is_number_integer())
+    throw Format_error("has a label that is no integer: " + value.dump());
+  return value.get<double>();
+}
+
+// [3, 1, ...], or {"0": 3, "1": 1, ...} as some learned methods write it.
+std::vector<double> read_JSON(const std::string& bytes)
+{
+  const Json content = Json::parse(bytes, nullptr, false);
+  if (!content.is_array() && !content.is_object())
+    throw Format_error("is no JSON with an array of labels, or an object with a label for each face");
+  std::vector<double> labels(content.size());
+  std::vector<bool> is_known(content.size(), content.is_array());
+  for (const auto& [key, value] : content.items())
+  {
+    const auto face = number<std::size_t>(key);
+    if (!face || *face >= labels.size())
+      throw Format_error("has " + std::to_string(labels.size()) +
+                         " labels, and one of them is for face '" + key + "'");
+    labels[*face] = label_of(value);
+    is_known[*face] = true;
+  }
+  if (const auto unknown = std::find(is_known.begin(), is_known.end(), false); unknown != is_known.end())
+    throw Format_error("has no label for face " + std::to_string(unknown - is_known.begin()));
+  return labels;
+}
+
+bool is_SEG(const std::string& file_name)
+{
+  const std::string extension = lower_case_extension(file_name);
+  return extension != ".npy" && extension != ".json" && extension != ".ply" && extension != ".vtp";
+}
+
 std::vector<double> read_values(const std::string& file_name)
 {
   const std::string extension = lower_case_extension(file_name), bytes = read_bytes(file_name);
   if (extension == ".npy")
     return read_NPY(bytes);
+  if (extension == ".json")
+    return read_JSON(bytes);
   if (extension == ".ply")
     return read_PLY_labels(bytes);
 #ifdef PROTRUSION_SEGMENTATION_HAS_VTK
   if (extension == ".vtp")
     return read_VTP_labels(bytes);
 #endif
-  throw Format_error("labels are read from .seg, .npy, .ply and, if VTK was found at build time, .vtp");
+  throw Format_error(
+    "labels are read from .seg, .npy, .json, .ply and, if VTK was found at build time, .vtp");
 }
 
-std::vector<std::size_t> labels_of_file(const std::string& file_name, std::size_t number_of_faces)
+std::vector<std::int64_t> labels_of_file(const std::string& file_name, std::size_t number_of_faces)
 {
   const std::vector<double> values = read_values(file_name);
   if (values.empty())
@@ -90,31 +132,34 @@ std::vector<std::size_t> labels_of_file(const std::string& file_name, std::size_
   if (values.size() != number_of_faces)
     throw Format_error("has " + std::to_string(values.size()) + " labels, but the mesh has " +
                        std::to_string(number_of_faces) + " faces");
-  std::vector<std::size_t> labels;
+  constexpr double end = 4294967296.; // of what 32 bits can hold
+  std::vector<std::int64_t> labels;
   for (const double value : values)
   {
-    if (!(value >= 0 && value < 4294967296. && value == std::floor(value)))
-      throw Format_error("the label of face " + std::to_string(labels.size()) + " is no integer from 0");
-    labels.push_back(static_cast<std::size_t>(value));
+    if (!(std::abs(value) < end && value == std::floor(value)))
+      throw Format_error("the label of face " + std::to_string(labels.size()) +
+                         " is no integer of 32 bits");
+    labels.push_back(static_cast<std::int64_t>(value));
   }
   return labels;
 }
 
 } // namespace
 
-std::vector<std::size_t> read_labels(const std::string& file_name, Input_mesh& input)
+std::vector<std::int64_t> read_some_labels(const std::string& file_name, Input_mesh& input)
 {
-  std::vector<std::size_t> result;
-  if (lower_case_extension(file_name) == ".seg")
+  std::vector<std::int64_t> result;
+  if (is_SEG(file_name))
   {
-    const Segment_ids ids = read_segmentation(file_name, input);
+    Segment_ids ids = read_segmentation(file_name, input);
     for (const Face f : faces(input.mesh))
-      result.push_back(ids[f]);
+      result.push_back(static_cast<std::int64_t>(ids[f]));
+    input.mesh.remove_property_map(ids);
     return result;
   }
   try
   {
-    const std::vector<std::size_t> labels = labels_of_file(file_name, input.label_giver.size());
+    const std::vector<std::int64_t> labels = labels_of_file(file_name, input.label_giver.size());
     for (const std::size_t face : input.face_in_file)
       result.push_back(labels[face]);
     return result;
@@ -123,6 +168,19 @@ std::vector<std::size_t> read_labels(const std::string& file_name, Input_mesh& i
   {
     throw Error(file_name, error.what());
   }
+}
+
+std::vector<std::size_t> read_labels(const std::string& file_name, Input_mesh& input)
+{
+  if (is_SEG(file_name) && lower_case_extension(file_name) != ".seg")
+    throw Error(file_name,
+                "labels are read from .seg, .npy, .json, .ply and, if VTK was found at build time, .vtp");
+  const std::vector<std::int64_t> labels = read_some_labels(file_name, input);
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] < 0)
+      throw Error(file_name,
+                  "the label of face " + std::to_string(input.face_in_file[i]) + " is no integer from 0");
+  return std::vector<std::size_t>(labels.begin(), labels.end());
 }
 
 } // namespace tool

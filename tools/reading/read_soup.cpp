@@ -30,7 +30,8 @@ namespace
 struct Format
 {
   std::string extension;
-  Polygon_soup (*read)(const std::string&);
+  Polygon_soup (*read)(const std::string& bytes);
+  Polygon_soup (*read_with_others)(const std::string& bytes, const std::string& folder) = nullptr; // files beside it
 };
 
 const std::vector<Format>& formats()
@@ -42,6 +43,9 @@ const std::vector<Format>& formats()
 #endif
 #ifdef PROTRUSION_SEGMENTATION_HAS_3MF
     {".3mf", read_3MF},
+#endif
+#ifdef PROTRUSION_SEGMENTATION_HAS_GLTF
+    {".glb", nullptr, read_glTF}, {".gltf", nullptr, read_glTF},
 #endif
   };
   return table;
@@ -78,6 +82,8 @@ std::string extension_of_content(const std::string& bytes)
     return ".vtp";
   if (word.substr(0, 2) == "PK")
     return ".3mf";
+  if (word.substr(0, 4) == "glTF" || word.substr(0, 1) == "{")
+    return ".glb";
   std::string letters;
   for (const char c : word)
     letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -112,6 +118,12 @@ bool is_UTF_16(const std::string& bytes)
   return (mark == "\xff\xfe" || mark == "\xfe\xff") && !is_binary_STL(bytes);
 }
 
+std::string folder_of(const std::string& file_name)
+{
+  const std::string folder = std::filesystem::path(file_name).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
 Polygon_soup read_checked(const std::string& file_name)
 {
   const std::string bytes = read_bytes(file_name);
@@ -122,7 +134,10 @@ Polygon_soup read_checked(const std::string& file_name)
   if (format == nullptr)
     throw Format_error("is in the format " + extension.substr(1) + ", which was not built in (known are " +
                        known_formats() + ")");
-  const Polygon_soup soup = format->read(bytes);
+  Polygon_soup soup = format->read ? format->read(bytes)
+                                         : format->read_with_others(bytes, folder_of(file_name));
+  for (std::string& file : soup.attributes.material_files)
+    file = (std::filesystem::path(folder_of(file_name)) / file).string();
   check(soup);
   return soup;
 }
@@ -138,6 +153,9 @@ void check_name(const std::string& file_name)
   if (extension == ".3mf")
     throw Error(file_name,
                 "is 3MF, which is read only where lib3mf was found when this program was built" + known);
+  if (extension == ".glb" || extension == ".gltf")
+    throw Error(file_name,
+                "is glTF, which is read only where tinygltf was found when this program was built" + known);
   if (extension == ".vtp")
     throw Error(file_name,
                 "is VTP, which is read only where VTK was found when this program was built" + known);

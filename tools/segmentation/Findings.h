@@ -10,6 +10,7 @@
 #include "repair/Input_mesh.h"
 #include "segmentation/Recorder.h"
 #include "segmentation/smooth_borders.h"
+#include "writing/Format_options.h"
 
 #include <cstddef>
 #include <optional>
@@ -40,6 +41,7 @@ struct Segmentation_options
   std::optional<double> gap; // up to which pieces are joined; unset: a share of the size
   std::optional<double> weld_distance; // up to which corners on borders are one; unset: as the numbers tell
   std::string caps; // of a collection: what closes the parts, "flat" or "faired"; empty: there are none
+  Format_options formats; // of what is written
   std::size_t threads = 1; // no matter for the result
 };
 
@@ -74,6 +76,8 @@ struct Findings
   {
     return smoothed ? smoothed->segment_ids : segmentation.segment_ids;
   }
+
+  void add_note(const std::string& more) { note += (note.empty() || more.empty() ? "" : "; ") + more; }
 
   double seconds() const { return seconds_for_file + segmentation.seconds; }
 };

@@ -5,31 +5,18 @@
 #include "segmentation/segment_file.h"
 
 #include "command_line/Error.h"
-#include "reading/lower_case_extension.h"
 #include "reading/read_labels.h"
 #include "reading/read_mesh.h"
-#include "report/report.h"
 #include "segmentation/given_segmentation.h"
 #include "segmentation/segment.h"
 #include "segmentation/smooth_borders.h"
+#include "segmentation/timing.h"
 #include "segmentation/touching_components.h"
-#include "writing/Output_files.h"
-#include "writing/borders.h"
-#include "writing/closed_parts.h"
-#include "writing/faired_parts.h"
-#include "writing/json.h"
-#include "writing/outputs.h"
-#include "writing/part_names.h"
-
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <iomanip>
-#include <numeric>
 #include <optional>
-#include <ostream>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -39,14 +26,6 @@ namespace tool
 {
 namespace
 {
-
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-// Shares of the progress: before it, the file is read, and behind it, borders are smoothed and files written.
-constexpr double begin_of_segmentation = 0.2;
-constexpr double end_of_segmentation = 0.8;
 
 // From there on a warning comes first: exact distances take minutes, and so does that many eigenpairs.
 constexpr std::size_t many_faces_for_exact_distances = 5000;
@@ -78,48 +57,6 @@ void warn_of_time(const Findings& findings, const Warn& warn)
   if (options.distance == "diffusion" && options.eigenpairs > many_eigenpairs && faces > options.eigenpairs)
     warn(std::to_string(options.eigenpairs) + " eigenpairs on " + std::to_string(faces) +
          " faces may take very long; " + std::to_string(default_number_of_eigenpairs()) + " are the default");
-}
-
-std::vector<Polygon_soup> find_closed_parts(const Findings& findings, Caps caps)
-{
-  const Segmentation& segmentation = findings.segmentation;
-  if (caps == Caps::FAIRED)
-    return faired_parts(findings.mesh_of_borders(), findings.segments_at_borders(), segmentation.number_of_segments);
-  std::vector<std::size_t> parents(segmentation.number_of_segments);
-  std::iota(parents.begin(), parents.end(), std::size_t(0));
-  for (const Protrusion& protrusion : segmentation.record.protrusions())
-    parents[protrusion.segment] = protrusion.parent;
-  return closed_parts(findings.mesh_of_borders(), findings.segments_at_borders(), parents);
-}
-
-std::vector<Segmented_soup> make_closed_parts(const Findings& findings, Caps caps)
-{
-  std::vector<Segmented_soup> parts;
-  for (Polygon_soup& part : find_closed_parts(findings, caps))
-  {
-    const std::size_t number_of_faces = part.polygons.size();
-    parts.push_back({std::move(part), std::vector<std::size_t>(number_of_faces, parts.size()), {}, findings.names});
-  }
-  return parts;
-}
-
-// The mesh with smooth borders, in faces that know which of the file they are a piece of.
-Segmented_soup soup_of(const Findings& findings)
-{
-  const Smoothed_mesh& smoothed = *findings.smoothed;
-  Segmented_soup result;
-  result.names = findings.names;
-  for (const auto v : vertices(smoothed.mesh))
-    result.soup.points.push_back(smoothed.mesh.point(v));
-  for (const Face face : faces(smoothed.mesh))
-  {
-    result.soup.polygons.emplace_back();
-    for (const auto v : vertices_around_face(smoothed.mesh.halfedge(face), smoothed.mesh))
-      result.soup.polygons.back().push_back(std::size_t(v));
-    result.old_faces.push_back(findings.mesh.face_in_file[smoothed.old_faces[face]]);
-  }
-  result.segments = smoothed.segment_ids;
-  return result;
 }
 
 // Faces of the file as faces of the mesh.
@@ -183,33 +120,6 @@ std::string note_on_borders(const Findings& findings)
                               " too thin for smooth borders";
 }
 
-std::string note_on_boundary(const Mesh& mesh)
-{
-  const auto number = std::count_if(halfedges(mesh).begin(), halfedges(mesh).end(),
-                                    [&](const auto h) { return is_border(h, mesh); });
-  return number == 0 ? "" : "is not closed: meshes of segments stay open along the " + std::to_string(number) +
-                              (number == 1 ? " edge" : " edges") + " of its boundary";
-}
-
-// Of the files for an output, one for each segment; none if it is a single file.
-std::vector<std::string> part_names(const std::string& name, const Output_names& names, const Findings& findings)
-{
-  const std::size_t number = findings.segmentation.number_of_segments;
-  if (names.have_numbers)
-    return is_pattern(name) ? names_of_parts(name, number, findings.names) : std::vector<std::string>();
-  if (names.folder_of_parts.empty() || !holds_a_mesh(name))
-    return {};
-  std::vector<std::string> result = names_of_parts("%d" + lower_case_extension(name), number, {});
-  for (std::string& part : result)
-    part = names.folder_of_parts + "/" + part;
-  return result;
-}
-
-std::string join_notes(const std::string& first, const std::string& second)
-{
-  return first + (first.empty() || second.empty() ? "" : "; ") + second;
-}
-
 } // namespace
 
 Findings segment_file(const std::string& input,
@@ -254,67 +164,8 @@ Findings segment_file(const std::string& input,
   for (const std::string& note :
        {describe_repairs(findings.mesh), note_on_small_components(findings), note_on_pieces(findings), note_on_number(options, findings.segmentation),
         note_on_tips(findings), note_on_borders(findings)})
-    findings.note = join_notes(findings.note, note);
+    findings.add_note(note);
   return findings;
-}
-
-void check_can_be_written(const Output_names& names)
-{
-  for (const std::string& name : names.segments)
-    if (!is_pattern(name))
-      Output_files::check(name);
-  for (const std::string& name : {names.json, names.report, names.borders})
-    if (!name.empty())
-      Output_files::check(name);
-}
-
-void write_findings(Findings& findings, const Output_names& names, const Recorder::Progress& progress)
-{
-  const Clock::time_point start = Clock::now();
-  std::size_t number_of_begun = 0;
-  const auto begin = [&](const std::string& name)
-  {
-    const double all = double(names.segments.size() + 3); // that of what may be written besides
-    if (progress)
-      progress(end_of_segmentation + (1 - end_of_segmentation) * double(number_of_begun++) / all, "writing " + name,
-               findings.segmentation.record.protrusions().size());
-  };
-  Segmented_soup segmented = {std::move(findings.mesh.soup), // until the meshes are written: as large as they are
-                              labels_of_file(findings.segmentation.segment_ids, findings.mesh), {}, findings.names};
-  if (names.caps != Caps::NONE)
-    findings.note = join_notes(findings.note, note_on_boundary(findings.mesh.mesh));
-  const Segmented_soup cut = findings.smoothed ? soup_of(findings) : Segmented_soup();
-  Output_files files;
-  for (const std::string& name : names.segments)
-  {
-    begin(name);
-    const Segmented_soup& whole = findings.smoothed && holds_a_mesh(name) ? cut : segmented;
-    const std::vector<std::string> parts = part_names(name, names, findings);
-    if (parts.empty())
-      add_output(name, whole, files);
-    else if (names.caps != Caps::NONE)
-      add_parts(parts, make_closed_parts(findings, names.caps), files);
-    else
-      add_parts(parts, parts_of(whole, findings.segmentation.number_of_segments), files);
-  }
-  findings.mesh.soup = std::move(segmented.soup);
-  if (!names.report.empty())
-  {
-    begin(names.report);
-    files.add(names.report, [&](std::ostream& out) { write_report(out, findings); });
-  }
-  if (!names.borders.empty())
-  {
-    begin(names.borders);
-    files.add(names.borders, [&](std::ostream& out) { write_borders(out, find_borders(findings)); });
-  }
-  findings.seconds_for_writing = seconds_since(start); // the record, which tells of it, is not counted
-  if (!names.json.empty())
-  {
-    begin(names.json);
-    files.add(names.json, [&](std::ostream& out) { write_json(out, describe(findings)); });
-  }
-  files.publish();
 }
 
 std::string note_on_missing_segments(const Findings& findings)

@@ -4,192 +4,33 @@
 
 #include "writing/closed_parts.h"
 
-#include "writing/Capper.h"
+#include <CGAL/Protrusion_segmentation/closed_segments.h>
+#include <CGAL/Protrusion_segmentation/faired_closed_segments.h>
 
-#include <map>
-#include <set>
+#include <boost/property_map/property_map.hpp>
+
+#include <iterator>
 #include <utility>
 
-namespace tool
-{
-namespace
-{
-
-using Halfedge = Mesh::Halfedge_index;
-
-// The loops of a walk that comes back to some of its vertices, none twice in one of them.
-void add_simple_loops(const Loop& walk, std::vector<Loop>& loops)
-{
-  Loop open;
-  std::map<std::size_t, std::size_t> place; // of the vertices of `open`
-  for (const std::size_t v : walk)
-  {
-    if (const auto seen = place.find(v); seen != place.end())
-    {
-      const auto begin = open.begin() + std::ptrdiff_t(seen->second);
-      loops.emplace_back(begin, open.end());
-      for (auto w = begin + 1; w != open.end(); ++w)
-        place.erase(*w);
-      open.erase(begin + 1, open.end());
-    }
-    else
-    {
-      place[v] = open.size();
-      open.push_back(v);
-    }
-  }
-  loops.push_back(open);
-}
-
-// The borders of sets of segments.
-class Borders
-{
-public:
-  Borders(const Mesh& mesh, const std::vector<std::size_t>& segment_of_face)
-    : m_mesh(mesh), m_segment_of_face(segment_of_face)
-  {
-    for (const Halfedge h : halfedges(mesh))
-      if (!mesh.is_border(h) && !mesh.is_border(mesh.opposite(h)) && segment(h) != segment(mesh.opposite(h)))
-        m_halfedges.push_back(h);
-  }
-
-  // The closed loops around the segments that are `inside`, with them on the left.
-  std::vector<Loop> loops_around(const std::vector<bool>& inside) const
-  {
-    std::vector<Loop> loops;
-    std::set<Halfedge> seen;
-    for (const Halfedge h : m_halfedges)
-      if (is_border(h, inside) && seen.count(h) == 0)
-        if (const Loop walk = walk_from(h, inside, seen); !walk.empty())
-          add_simple_loops(walk, loops);
-    return loops;
-  }
-
-private:
-  std::size_t segment(Halfedge h) const { return m_segment_of_face[m_mesh.face(h)]; }
-
-  bool is_border(Halfedge h, const std::vector<bool>& inside) const
-  {
-    return inside[segment(h)] && !m_mesh.is_border(m_mesh.opposite(h)) && !inside[segment(m_mesh.opposite(h))];
-  }
-
-  // None if the walk ends at a border of the mesh.
-  Loop walk_from(Halfedge first, const std::vector<bool>& inside, std::set<Halfedge>& seen) const
-  {
-    Loop walk;
-    Halfedge h = first;
-    do
-    {
-      seen.insert(h);
-      walk.push_back(std::size_t(m_mesh.source(h)));
-      h = m_mesh.next(h);
-      while (!is_border(h, inside))
-      {
-        h = m_mesh.opposite(h);
-        if (m_mesh.is_border(h))
-          return {};
-        h = m_mesh.next(h);
-      }
-    } while (h != first);
-    return walk;
-  }
-
-  const Mesh& m_mesh;
-  const std::vector<std::size_t>& m_segment_of_face;
-  std::vector<Halfedge> m_halfedges; // between two segments
-};
-
-// For each segment: does it stick out of `segment`, or is it that itself?
-std::vector<bool> subtree(std::size_t segment, const std::vector<std::size_t>& parents)
-{
-  std::vector<bool> inside(parents.size(), false);
-  for (std::size_t s = 0; s < parents.size(); ++s)
-  {
-    std::size_t ancestor = s;
-    while (ancestor != segment && parents[ancestor] != ancestor)
-      ancestor = parents[ancestor];
-    inside[s] = ancestor == segment;
-  }
-  return inside;
-}
-
-// Triangles without those that are there both ways.
-class Caps_of_part
-{
-public:
-  void add(const Triangle& triangle)
-  {
-    const auto other = m_triangles.find(turned_over(triangle));
-    if (other != m_triangles.end())
-      m_triangles.erase(other);
-    else
-      m_triangles.insert(triangle);
-  }
-  const std::multiset<Triangle>& triangles() const { return m_triangles; }
-
-private:
-  std::multiset<Triangle> m_triangles;
-};
-
-// Its points are only those that it needs.
-class Part_builder
-{
-public:
-  explicit Part_builder(const std::vector<Point>& points) : m_points(points) {}
-
-  template <typename Corners>
-  void add(const Corners& corners)
-  {
-    m_part.polygons.emplace_back();
-    for (const std::size_t corner : corners)
-    {
-      const auto [position, is_new] = m_numbers.emplace(corner, m_part.points.size());
-      if (is_new)
-        m_part.points.push_back(m_points[corner]);
-      m_part.polygons.back().push_back(position->second);
-    }
-  }
-  Polygon_soup take() { return std::move(m_part); }
-
-private:
-  const std::vector<Point>& m_points;
-  std::map<std::size_t, std::size_t> m_numbers;
-  Polygon_soup m_part;
-};
-
-} // namespace
+namespace tool {
 
 std::vector<Polygon_soup> closed_parts(const Mesh& mesh,
-                                      const std::vector<std::size_t>& segment_of_face,
-                                      const std::vector<std::size_t>& parents)
+                                       const std::vector<std::size_t>& segment_of_face,
+                                       const CGAL::Protrusion_segmentation::Segmentation_record<Mesh>& record,
+                                       bool are_caps_faired)
 {
-  Capper capper(mesh);
-  const Borders borders(mesh, segment_of_face);
-  std::vector<Caps_of_part> caps(parents.size());
-  for (std::size_t s = 0; s < parents.size(); ++s)
-    if (parents[s] != s)
-      for (const Loop& loop : borders.loops_around(subtree(s, parents)))
-        for (const Triangle& triangle : capper.cap(loop))
-        {
-          caps[s].add(turned_over(triangle)); // its edges meet those of the faces of the segment
-          caps[parents[s]].add(triangle);
-        }
+  namespace segmentation = CGAL::Protrusion_segmentation;
 
-  std::vector<Part_builder> builders(parents.size(), Part_builder(capper.points()));
-  for (const Face f : faces(mesh))
-  {
-    Loop corners;
-    for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
-      corners.push_back(std::size_t(v));
-    builders[segment_of_face[f]].add(corners);
-  }
+  const auto segments = boost::make_iterator_property_map(segment_of_face.begin(),
+                                                          get(boost::face_index, mesh));
+  std::vector<segmentation::Closed_segment<Point>> closed;
+  if (are_caps_faired)
+    segmentation::faired_closed_segments(mesh, segments, record, std::back_inserter(closed));
+  else
+    segmentation::closed_segments(mesh, segments, record, std::back_inserter(closed));
   std::vector<Polygon_soup> parts;
-  for (std::size_t s = 0; s < parents.size(); ++s)
-  {
-    for (const Triangle& triangle : caps[s].triangles())
-      builders[s].add(triangle);
-    parts.push_back(builders[s].take());
-  }
+  for (segmentation::Closed_segment<Point>& part : closed)
+    parts.push_back({std::move(part.points), std::move(part.polygons)});
   return parts;
 }
 

@@ -8,18 +8,19 @@
 #include "reading/Mesh.h"
 #include "reading/Polygon_soup.h"
 
+#include <CGAL/Protrusion_segmentation/Segmentation_record.h>
+
 #include <cstddef>
 #include <vector>
 
 namespace tool
 {
 
-// For each segment its faces and the triangles that close it. Where a segment and all that sticks out of it is cut off, both sides get the same cap, turned
-// over: so all parts of a closed mesh are closed, and their volumes add up to the whole. A border that ends at a border
-// of the mesh gets no cap. `parents` has for each segment what it sticks out of, itself for a body.
+// For each segment its faces and the triangles that close it, by flat caps that two segments share or by a rounded one for each.
 std::vector<Polygon_soup> closed_parts(const Mesh& mesh,
-                                      const std::vector<std::size_t>& segment_of_face,
-                                      const std::vector<std::size_t>& parents);
+                                       const std::vector<std::size_t>& segment_of_face,
+                                       const CGAL::Protrusion_segmentation::Segmentation_record<Mesh>& record,
+                                       bool are_caps_faired);
 
 } // namespace tool
 

@@ -4,8 +4,10 @@
 
 #include "writing/json.h"
 
+#include "writing/Json_object.h"
 #include "writing/borders.h"
 #include "writing/peak_memory.h"
+#include "writing/skeleton.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
@@ -25,50 +27,7 @@ namespace tool
 namespace
 {
 
-using Json = nlohmann::ordered_json;
-
-// Added one by one: the compiler takes many times as long for nested lists in braces.
-class Object
-{
-public:
-  template <typename T>
-  Object& add(const char* key, const T& value)
-  {
-    add_json(key, Json(value));
-    return *this;
-  }
-
-  template <typename T>
-  Object& add_if(bool is_known, const char* key, const T& value)
-  {
-    add_json(key, is_known ? Json(value) : Json(nullptr));
-    return *this;
-  }
-
-  template <typename T>
-  Object& add_optional(const char* key, const std::optional<T>& value)
-  {
-    return value ? add(key, *value) : add(key, nullptr);
-  }
-
-  Object& add_all(const Json& object)
-  {
-    m_json.update(object);
-    return *this;
-  }
-
-  Json take() { return std::move(m_json); }
-
-private:
-  void add_json(const char* key, Json value);
-
-  Json m_json = Json::object();
-};
-
-void Object::add_json(const char* key, Json value)
-{
-  m_json.emplace(key, std::move(value));
-}
+using Object = Json_object;
 
 // As in the file that was read.
 std::size_t number_of_face(const Input_mesh& mesh, Face face)
@@ -191,6 +150,19 @@ Json describe(const Border& border)
   return object.take();
 }
 
+Json describe_skeleton(const Findings& findings)
+{
+  Json array = Json::array();
+  for (const Joint& joint : find_skeleton(findings))
+    array.push_back(Object()
+                      .add("point", std::vector<double>{joint.point.x(), joint.point.y(), joint.point.z()})
+                      .add("parent", joint.parent)
+                      .add("segment", joint.segment)
+                      .add("is_tip", joint.is_tip)
+                      .take());
+  return array;
+}
+
 Json describe_borders(const Findings& findings)
 {
   Json array = Json::array();
@@ -246,29 +218,6 @@ Json describe_hierarchy(const Segmentation& segmentation)
 
 } // namespace
 
-Json describe(const Segmentation_options& options)
-{
-  Object object;
-  object
-    .add_if(options.number_of_segments.has_value(), "segments_requested",
-            options.number_of_segments.value_or(0))
-    .add_optional("hierarchy_requested", options.hierarchy)
-    .add_if(options.tips.has_value(), "tips_requested", options.tips.value_or(std::vector<std::size_t>()))
-    .add_if(!options.labels.empty(), "labels", options.labels)
-    .add_if(options.labels.empty(), "method", options.method)
-    .add_if(!options.distance.empty(), "distance", options.distance) // none: the method's own
-    .add_if(options.distance == "landmark", "landmarks", options.landmarks)
-    .add_if(options.distance == "diffusion", "eigenpairs", options.eigenpairs)
-    .add_if(options.distance == "diffusion", "diffusion_time", options.time)
-    .add("seed", options.seed)
-    .add("smooth_borders", options.are_borders_smooth)
-    .add("join_pieces", options.are_pieces_joined)
-    .add_if(options.gap.has_value(), "gap", options.gap.value_or(0))
-    .add_if(options.weld_distance.has_value(), "weld_distance", options.weld_distance.value_or(0))
-    .add_if(!options.caps.empty(), "caps", options.caps);
-  return object.take();
-}
-
 Json describe(const Findings& findings)
 {
   const Recorder& record = findings.segmentation.record;
@@ -292,6 +241,7 @@ Json describe(const Findings& findings)
     .add("measures", describe_measures(findings))
     .add("protrusions", describe_protrusions(findings))
     .add("borders", describe_borders(findings))
+    .add("skeleton", describe_skeleton(findings))
     .add("hierarchy", describe_hierarchy(findings.segmentation));
   return object.take();
 }

@@ -4,89 +4,50 @@
 
 #include "writing/outputs.h"
 
+#include "command_line/Error.h"
 #include "reading/lower_case_extension.h"
-#include "writing/glb.h"
-#include "writing/palette.h"
+#include "writing/formats.h"
 #include "writing/part_names.h"
-#include "writing/ply.h"
-#include "writing/shortest_digits.h"
-#include "writing/vtp.h"
 
 #include <algorithm>
-#include <map>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
-namespace tool
-{
-namespace
-{
+namespace tool {
+namespace {
 
-void write_seg(std::ostream& out, const Segmented_soup& segmented)
-{
-  for (const std::size_t segment : segmented.segments)
-    out << segment << "\n";
-}
-
-void write_off(std::ostream& out, const Segmented_soup& segmented)
-{
-  const auto& [points, polygons] = segmented.soup;
-  out << "OFF\n" << points.size() << " " << polygons.size() << " 0\n";
-  const std::vector<CGAL::IO::Color> colors = segment_colors(segmented.segments);
-  for (const Point& point : points)
-  {
-    write_shortest(out, point);
-    out << "\n";
-  }
-  for (std::size_t i = 0; i < polygons.size(); ++i)
-  {
-    out << polygons[i].size();
-    for (const std::size_t corner : polygons[i])
-      out << " " << corner;
-    const CGAL::IO::Color& color = colors[segmented.segments[i]];
-    out << " " << int(color.red()) << " " << int(color.green()) << " " << int(color.blue()) << "\n";
-  }
-}
-
-// A group begins wherever the next face is of another segment, so that faces keep their order.
-void write_obj(std::ostream& out, const Segmented_soup& segmented)
-{
-  const auto& [points, polygons] = segmented.soup;
-  const auto last = std::max_element(segmented.segments.begin(), segmented.segments.end());
-  const std::vector<std::string> names = names_of_parts("%s", polygons.empty() ? 0 : *last + 1, segmented.names);
-  for (const Point& point : points)
-  {
-    out << "v ";
-    write_shortest(out, point);
-    out << "\n";
-  }
-  for (std::size_t i = 0; i < polygons.size(); ++i)
-  {
-    if (i == 0 || segmented.segments[i] != segmented.segments[i - 1])
-      out << "g " << names[segmented.segments[i]] << "\n";
-    out << "f";
-    for (const std::size_t corner : polygons[i])
-      out << " " << corner + 1;
-    out << "\n";
-  }
-}
+using Write = void (*)(std::ostream&, const Output&);
 
 struct Format
 {
   std::string extension;
   std::string description;
-  void (*write)(std::ostream&, const Segmented_soup&);
-  bool holds_a_mesh; // then there can be a file per segment
+  Write write;
+  bool holds_a_mesh = true; // then there can be a file per segment
+  bool is_in_single_precision = false;
 };
 
 const std::vector<Format>& formats()
 {
+  constexpr bool is_mesh = true, is_in_single_precision = true;
   static const std::vector<Format> table = {
-    {".seg", "one segment id a line, line i for face i", write_seg, false},
-    {".ply", "binary mesh with colours and a face property segment", write_PLY, true},
-    {".off", "mesh with face colours", write_off, true},
-    {".obj", "mesh with a group for each segment", write_obj, true},
-    {".glb", "glTF 2.0, a coloured mesh for each segment", write_GLB, true},
-    {".vtp", "VTK polygonal data with cell data segment and color", write_VTP, true}};
+    {".seg", "one segment id a line, line i for face i", write_SEG, !is_mesh},
+    {".npy", "numpy: one segment id a face, 32 bits", write_NPY, !is_mesh},
+    {".ply", "binary mesh: colours and scalars (MeshLab, CGAL), vertex colours (Blender)", write_PLY},
+    {".off", "mesh with face colours (CGAL, MeshLab)", write_OFF},
+    {".obj",
+     "mesh with a group and a material a segment, and .mtl beside it (Blender, slicers, Rhino, Cinema "
+     "4D)",
+     write_OBJ},
+    {".stl", "binary triangles, without segments", write_STL, is_mesh, is_in_single_precision},
+    {".3mf", "painted triangles and triangle sets; with --close, a part a segment (slicers)", write_3MF},
+    {".glb", "binary glTF 2.0: an object a segment, or slots of one (Blender, engines, browsers)",
+     write_GLB},
+    {".gltf", "the same as text", write_GLTF},
+    {".usda", "USD: a subset with a material a segment (Omniverse, Unity)", write_USDA},
+    {".vtp", "VTK polygonal data with cell data segment and color (ParaView, PyVista)", write_VTP}};
   return table;
 }
 
@@ -108,27 +69,29 @@ std::string known_extensions()
   return known;
 }
 
-// The faces of one segment, with the points that they need.
-Segmented_soup part_of(const Segmented_soup& whole, const std::vector<std::size_t>& faces)
+void check_single_precision(const std::string& name, const std::vector<Point>& points)
 {
-  Segmented_soup part;
-  part.names = whole.names;
-  std::map<std::size_t, std::size_t> indices;
-  for (const std::size_t face : faces)
-  {
-    part.segments.push_back(whole.segments[face]);
-    if (!whole.old_faces.empty())
-      part.old_faces.push_back(whole.old_faces[face]);
-    part.soup.polygons.emplace_back();
-    for (const std::size_t corner : whole.soup.polygons[face])
-    {
-      const auto [position, is_new] = indices.emplace(corner, part.soup.points.size());
-      if (is_new)
-        part.soup.points.push_back(whole.soup.points[corner]);
-      part.soup.polygons.back().push_back(position->second);
-    }
-  }
-  return part;
+  for (const Point& point : points)
+    for (int c = 0; c < 3; ++c)
+      if (!std::isfinite(static_cast<float>(point[c])))
+        throw Error(name,
+                    "cannot be written: the format has single precision, and coordinates are larger");
+}
+
+void write(const std::string& name,
+           const Segmented_soup& segmented,
+           const Format_options& options,
+           const std::string& companion,
+           Output_files& files)
+{
+  const Format& format = *find_format(name);
+  if (format.is_in_single_precision)
+    check_single_precision(name, segmented.soup.points);
+  const Output output = {segmented, options, std::filesystem::path(companion).filename().string(),
+                         std::filesystem::path(name).parent_path().string()};
+  files.add(name, [&](std::ostream& out) { format.write(out, output); });
+  if (!companion.empty())
+    files.add(companion, [&](std::ostream& out) { write_MTL(out, output); });
 }
 
 } // namespace
@@ -154,6 +117,18 @@ bool holds_a_mesh(const std::string& name)
   return find_format(name)->holds_a_mesh;
 }
 
+bool holds_parts(const std::string& name)
+{
+  return find_format(name)->write == write_3MF;
+}
+
+std::string companion_of(const std::string& name, const Format_options& options)
+{
+  return find_format(name)->write == write_OBJ && !is_pattern(name) && !options.are_colors_of_input
+           ? std::filesystem::path(name).replace_extension(".mtl").string()
+           : "";
+}
+
 void check_output_format(const std::string& format)
 {
   if (!find_format("mesh." + format))
@@ -171,30 +146,47 @@ void check_output_name(const std::string& name)
     throw std::invalid_argument("-o: '" + name + "' has a %d or %s, but " + format->extension +
                                 " files are of the whole mesh");
   if (!is_valid_pattern(name))
-    throw std::invalid_argument("-o: '" + name + "' has a %d or %s elsewhere than once in the file's name");
+    throw std::invalid_argument("-o: '" + name +
+                                "' has a %d or %s elsewhere than once in the file's name");
 }
 
-std::vector<Segmented_soup> parts_of(const Segmented_soup& segmented, std::size_t number_of_segments)
+void check_format_options(const Format_options& options)
 {
-  std::vector<std::vector<std::size_t>> faces_of(number_of_segments);
-  for (std::size_t face = 0; face < segmented.segments.size(); ++face)
-    faces_of[segmented.segments[face]].push_back(face);
-  std::vector<Segmented_soup> parts;
-  for (const std::vector<std::size_t>& faces : faces_of)
-    parts.push_back(part_of(segmented, faces));
-  return parts;
+  const std::string& name = options.array_name;
+  if (name.empty() || !std::all_of(name.begin(), name.end(),
+                                   [](unsigned char c)
+                                   { return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.'; }))
+    throw std::invalid_argument("--array-name: '" + name +
+                                "' is no word of letters, digits, '_', '-' and '.'");
+  if (name == "color" || name == "old_face")
+    throw std::invalid_argument("--array-name: '" + name + "' is the name of another array");
 }
 
-void add_parts(const std::vector<std::string>& names, const std::vector<Segmented_soup>& parts, Output_files& files)
+void add_parts(const std::vector<std::string>& names,
+               const std::vector<Segmented_soup>& parts,
+               const Format_options& options,
+               Output_files& files)
 {
   files.make_folder_of(names.front());
   for (std::size_t s = 0; s < parts.size(); ++s)
-    add_output(names[s], parts[s], files);
+    write(names[s], options.are_faces_triangulated ? triangulated(parts[s]) : parts[s], options, "",
+          files);
 }
 
-void add_output(const std::string& name, const Segmented_soup& segmented, Output_files& files)
+void add_output(const std::string& name,
+                const Segmented_soup& segmented,
+                const Format_options& options,
+                Output_files& files)
 {
-  files.add(name, [&](std::ostream& out) { find_format(name)->write(out, segmented); });
+  const bool is_cut = options.are_faces_triangulated && holds_a_mesh(name);
+  write(name, is_cut ? triangulated(segmented) : segmented, options, companion_of(name, options), files);
+}
+
+void add_output_of_parts(const std::string& name,
+                         const std::vector<Segmented_soup>& parts,
+                         Output_files& files)
+{
+  files.add(name, [&](std::ostream& out) { write_parts_in_3MF(out, parts); });
 }
 
 } // namespace tool

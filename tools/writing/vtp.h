@@ -8,17 +8,10 @@
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_VTP_H
 #define PROTRUSION_SEGMENTATION_TOOLS_WRITING_VTP_H
 
-#include "writing/Segmented_soup.h"
-#include "writing/palette.h"
-#include "writing/shortest_digits.h"
-
-#include <cstddef>
 #include <ostream>
 #include <string>
-#include <vector>
 
-namespace tool
-{
+namespace tool {
 
 template <typename WriteValues>
 void write_data_array(std::ostream& out, const std::string& attributes, const WriteValues& write_values)
@@ -26,69 +19,6 @@ void write_data_array(std::ostream& out, const std::string& attributes, const Wr
   out << "<DataArray " << attributes << " format=\"ascii\">\n";
   write_values();
   out << "</DataArray>\n";
-}
-
-// A cell for each face, in their order, with the segment, the old face if there is one, and the colour.
-inline void write_cell_data(std::ostream& out,
-                            const std::vector<std::size_t>& segments,
-                            const std::vector<std::size_t>& old_faces)
-{
-  out << "<CellData Scalars=\"segment\">\n";
-  write_data_array(out, "type=\"UInt32\" Name=\"segment\"", [&]() {
-    for (const std::size_t segment : segments)
-      out << segment << "\n";
-  });
-  if (!old_faces.empty())
-    write_data_array(out, "type=\"UInt32\" Name=\"old_face\"", [&]() {
-      for (const std::size_t face : old_faces)
-        out << face << "\n";
-    });
-  write_data_array(out, "type=\"UInt8\" Name=\"color\" NumberOfComponents=\"3\"", [&]() {
-    const std::vector<CGAL::IO::Color> colors = segment_colors(segments);
-    for (const std::size_t segment : segments)
-    {
-      const CGAL::IO::Color& color = colors[segment];
-      out << int(color.red()) << " " << int(color.green()) << " " << int(color.blue()) << "\n";
-    }
-  });
-  out << "</CellData>\n";
-}
-
-inline void write_polygons(std::ostream& out, const Polygon_soup& soup)
-{
-  out << "<Points>\n";
-  write_data_array(out, "type=\"Float64\" NumberOfComponents=\"3\"", [&]() {
-    for (const Point& point : soup.points)
-    {
-      write_shortest(out, point);
-      out << "\n";
-    }
-  });
-  out << "</Points>\n<Polys>\n";
-  write_data_array(out, "type=\"Int64\" Name=\"connectivity\"", [&]() {
-    for (const Polygon& polygon : soup.polygons)
-    {
-      for (const std::size_t corner : polygon)
-        out << corner << " ";
-      out << "\n";
-    }
-  });
-  write_data_array(out, "type=\"Int64\" Name=\"offsets\"", [&]() {
-    std::size_t end = 0;
-    for (const Polygon& polygon : soup.polygons)
-      out << (end += polygon.size()) << "\n";
-  });
-  out << "</Polys>\n";
-}
-
-inline void write_VTP(std::ostream& out, const Segmented_soup& segmented)
-{
-  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\">\n<PolyData>\n"
-      << "<Piece NumberOfPoints=\"" << segmented.soup.points.size() << "\" NumberOfPolys=\""
-      << segmented.soup.polygons.size() << "\">\n";
-  write_cell_data(out, segmented.segments, segmented.old_faces);
-  write_polygons(out, segmented.soup);
-  out << "</Piece>\n</PolyData>\n</VTKFile>\n";
 }
 
 } // namespace tool

@@ -16,7 +16,7 @@ namespace CGAL::Protrusion_segmentation {
 \ingroup PkgProtrusionSegmentationMetrics
 
 The result of `segmentation_metrics()`: all metrics of a segmentation against a reference. Smaller is
-better in each of them.
+better in each of them but the last one.
 */
 struct Segmentation_metrics
 {
@@ -29,6 +29,8 @@ struct Segmentation_metrics
   std::optional<double> cut_discrepancy;
   /// see `segmentation_consistency_error()`
   Consistency_error consistency_error;
+  /// see `mean_best_intersection_over_union()`; in (0, 1], default 1
+  double mean_best_intersection_over_union = 1;
 };
 
 } // namespace CGAL::Protrusion_segmentation

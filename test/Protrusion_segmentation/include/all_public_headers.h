@@ -6,6 +6,7 @@
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_ALL_PUBLIC_HEADERS_H
 
 #include <CGAL/IO/SEG.h>
+#include <CGAL/Protrusion_segmentation/Closed_segment.h>
 #include <CGAL/Protrusion_segmentation/Consistency_error.h>
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
@@ -27,10 +28,14 @@
 #include <CGAL/Protrusion_segmentation/Segmentation_record.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_stopped.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
+#include <CGAL/Protrusion_segmentation/Skeleton_joint.h>
+#include <CGAL/Protrusion_segmentation/closed_segments.h>
+#include <CGAL/Protrusion_segmentation/faired_closed_segments.h>
 #include <CGAL/Protrusion_segmentation/join_pieces.h>
 #include <CGAL/Protrusion_segmentation/label_confidence.h>
 #include <CGAL/Protrusion_segmentation/polygon_soup_to_manifold_mesh.h>
 #include <CGAL/Protrusion_segmentation/protrusion_hierarchy.h>
+#include <CGAL/Protrusion_segmentation/protrusion_skeleton.h>
 #include <CGAL/Protrusion_segmentation/segment_borders.h>
 #include <CGAL/Protrusion_segmentation/segmentation_from_protrusion_tips.h>
 #include <CGAL/Protrusion_segmentation/segmentation_via_protrusion_tips.h>

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -132,6 +133,23 @@ Segment_overlap segment_overlap(const FaceGraph& mesh,
                          face_areas);
 }
 
+// Which segments are parts, by their numbers: those whose id is not negative.
+template <typename FaceGraph, typename SegmentIdMap>
+std::vector<bool> segments_that_are_parts(const FaceGraph& mesh, const SegmentIdMap& segment_ids)
+{
+  using Id = typename boost::property_traits<SegmentIdMap>::value_type;
+
+  const std::vector<std::size_t> numbers = compact_segment_ids(mesh, segment_ids);
+  std::vector<bool> result(numbers.size(), true);
+  if constexpr (std::is_signed_v<Id>)
+  {
+    std::size_t i = 0;
+    for (const auto f : faces(mesh))
+      result[numbers[i++]] = get(segment_ids, f) >= 0;
+  }
+  return result;
+}
+
 // n * (n - 1) / 2, halved before it can overflow; n - 1 may wrap for n = 0, which is multiplied by 0
 inline std::uint64_t number_of_pairs(std::uint64_t n)
 {
@@ -190,6 +208,27 @@ inline Hamming_distance hamming_distance(const Segment_overlap& overlap)
   result.false_alarm_rate = unmatched_rate(overlap.total().area, overlap.first_segments(), largest_of_first);
   result.distance = (result.missing_rate + result.false_alarm_rate) / 2;
   return result;
+}
+
+// By the number of faces, as those who use this metric have it. `is_part` says which segments of the second segmentation count.
+inline double mean_best_intersection_over_union(const Segment_overlap& overlap, const std::vector<bool>& is_part)
+{
+  std::vector<double> best(overlap.second_segments().size(), 0.);
+  for (const Segment_overlap::Cell& cell : overlap.cells())
+  {
+    const std::uint64_t all = overlap.first_segments()[cell.first].count +
+                              overlap.second_segments()[cell.second].count - cell.common.count;
+    best[cell.second] = (std::max)(best[cell.second], double(cell.common.count) / double(all));
+  }
+  double sum = 0;
+  std::size_t number_of_parts = 0;
+  for (std::size_t s = 0; s < best.size(); ++s)
+    if (is_part[s])
+    {
+      sum += best[s];
+      ++number_of_parts;
+    }
+  return number_of_parts == 0 ? 1 : sum / double(number_of_parts);
 }
 
 // Part of a segment outside another; a segment without area has no part outside.

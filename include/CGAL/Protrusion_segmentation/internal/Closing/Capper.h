@@ -2,51 +2,88 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "writing/Capper.h"
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CLOSING_CAPPER_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CLOSING_CAPPER_H
 
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/utility.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <iterator>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
 
-namespace tool
-{
-namespace
-{
+namespace CGAL::Protrusion_segmentation::internal {
+
+// The mesh that is closed, with the vertices and faces of the user's in their order.
+using Mesh_to_close = Surface_mesh<Simple_cartesian<double>::Point_3>;
+
+using Loop = std::vector<std::size_t>;       // numbers of vertices
+using Triangle = std::array<std::size_t, 3>; // the same, the smallest first
 
 // For longer loops the search among all triangulations, in cubic time, takes longer than a second.
 constexpr std::size_t longest_loop_for_cubic_algorithm = 500;
 
-std::pair<std::size_t, std::size_t> edge_between(std::size_t a, std::size_t b)
+inline std::pair<std::size_t, std::size_t> edge_between(std::size_t a, std::size_t b)
 {
   return {(std::min)(a, b), (std::max)(a, b)};
 }
 
 // The smallest corner comes first: equal for equal triangles that look the same way.
-Triangle from_smallest(Triangle triangle)
+inline Triangle from_smallest(Triangle triangle)
 {
   std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
   return triangle;
 }
 
-} // namespace
-
-Triangle turned_over(const Triangle& triangle)
+// The triangle that looks the other way.
+inline Triangle turned_over(const Triangle& triangle)
 {
   return from_smallest({triangle[0], triangle[2], triangle[1]});
 }
 
-Capper::Capper(const Mesh& mesh) : m_mesh(mesh)
+// Makes caps of loops, the same for a loop whatever its first vertex and its direction are.
+class Capper
+{
+public:
+  explicit Capper(const Mesh_to_close& mesh);
+
+  // Of the vertices of the mesh and, behind them, those that caps added.
+  const std::vector<Mesh_to_close::Point>& points() const { return m_points; }
+
+  // Triangles with all edges of the loop in its direction.
+  std::vector<Triangle> cap(Loop loop);
+
+private:
+  using Edge = std::pair<std::size_t, std::size_t>;
+
+  std::vector<Triangle> make_cap(const Loop& loop);
+  std::vector<Triangle> triangulate(const Loop& loop) const;
+  std::vector<Triangle> fan(const Loop& loop);
+  bool is_edge(const Edge& edge) const;
+
+  const Mesh_to_close& m_mesh;
+  std::vector<Mesh_to_close::Point> m_points;
+  std::map<Loop, std::vector<Triangle>> m_caps;
+  std::set<Edge> m_diagonals; // of all caps
+};
+
+inline Capper::Capper(const Mesh_to_close& mesh) : m_mesh(mesh)
 {
   for (const auto v : vertices(mesh))
     m_points.push_back(mesh.point(v));
 }
 
-std::vector<Triangle> Capper::cap(Loop loop)
+inline std::vector<Triangle> Capper::cap(Loop loop)
 {
   std::rotate(loop.begin(), std::min_element(loop.begin(), loop.end()), loop.end());
   const bool is_turned = loop.back() < loop[1];
@@ -62,7 +99,7 @@ std::vector<Triangle> Capper::cap(Loop loop)
 }
 
 // A diagonal that is an edge already would have more than two faces.
-std::vector<Triangle> Capper::make_cap(const Loop& loop)
+inline std::vector<Triangle> Capper::make_cap(const Loop& loop)
 {
   std::vector<Triangle> triangles = triangulate(loop);
   std::set<Edge> diagonals;
@@ -80,23 +117,23 @@ std::vector<Triangle> Capper::make_cap(const Loop& loop)
   return triangles;
 }
 
-bool Capper::is_edge(const Edge& edge) const
+inline bool Capper::is_edge(const Edge& edge) const
 {
   return m_diagonals.count(edge) > 0 ||
-         halfedge(Mesh::Vertex_index(Mesh::size_type(edge.first)),
-                  Mesh::Vertex_index(Mesh::size_type(edge.second)), m_mesh)
+         halfedge(Mesh_to_close::Vertex_index(Mesh_to_close::size_type(edge.first)),
+                  Mesh_to_close::Vertex_index(Mesh_to_close::size_type(edge.second)), m_mesh)
            .second;
 }
 
-std::vector<Triangle> Capper::triangulate(const Loop& loop) const
+inline std::vector<Triangle> Capper::triangulate(const Loop& loop) const
 {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::vector<Point> corners;
+  std::vector<Mesh_to_close::Point> corners;
   for (const std::size_t v : loop)
     corners.push_back(m_points[v]);
-  CGAL::Protrusion_segmentation::internal::scale_to_unit(corners); // CGAL compares squares of areas
+  scale_to_unit(corners); // CGAL compares squares of areas
   std::vector<Kernel::Point_3> points;
-  for (const Point& p : corners)
+  for (const Mesh_to_close::Point& p : corners)
     points.emplace_back(p.x(), p.y(), p.z());
   std::vector<CGAL::Triple<int, int, int>> found;
   CGAL::Polygon_mesh_processing::triangulate_hole_polyline(
@@ -105,19 +142,19 @@ std::vector<Triangle> Capper::triangulate(const Loop& loop) const
   std::vector<Triangle> triangles;
   for (const auto& [a, b, c] : found)
   {
-    std::array<int, 3> corners = {a, b, c};
-    std::sort(corners.begin(), corners.end()); // in the direction of the loop
-    triangles.push_back(
-      from_smallest({loop[std::size_t(corners[0])], loop[std::size_t(corners[1])], loop[std::size_t(corners[2])]}));
+    std::array<int, 3> sorted = {a, b, c};
+    std::sort(sorted.begin(), sorted.end()); // in the direction of the loop
+    triangles.push_back(from_smallest(
+      {loop[std::size_t(sorted[0])], loop[std::size_t(sorted[1])], loop[std::size_t(sorted[2])]}));
   }
   return triangles;
 }
 
 // Around a vertex of its own, in the middle.
-std::vector<Triangle> Capper::fan(const Loop& loop)
+inline std::vector<Triangle> Capper::fan(const Loop& loop)
 {
   const double share = 1. / static_cast<double>(loop.size());
-  Point::R::Vector_3 sum(0, 0, 0);
+  Simple_cartesian<double>::Vector_3 sum(0, 0, 0);
   for (const std::size_t v : loop)
     sum = sum + share * (m_points[v] - CGAL::ORIGIN);
   const std::size_t centre = m_points.size();
@@ -128,4 +165,6 @@ std::vector<Triangle> Capper::fan(const Loop& loop)
   return triangles;
 }
 
-} // namespace tool
+} // namespace CGAL::Protrusion_segmentation::internal
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CLOSING_CAPPER_H

@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CLOSING_PARTS_WITH_FLAT_CAPS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CLOSING_PARTS_WITH_FLAT_CAPS_H
+
+#include <CGAL/Protrusion_segmentation/internal/Closing/Capper.h>
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Protrusion_segmentation::internal {
+
+// The loops of a walk that comes back to some of its vertices, none twice in one of them.
+inline void add_simple_loops(const Loop& walk, std::vector<Loop>& loops)
+{
+  Loop open;
+  std::map<std::size_t, std::size_t> place; // of the vertices of `open`
+  for (const std::size_t v : walk)
+  {
+    if (const auto seen = place.find(v); seen != place.end())
+    {
+      const auto begin = open.begin() + std::ptrdiff_t(seen->second);
+      loops.emplace_back(begin, open.end());
+      for (auto w = begin + 1; w != open.end(); ++w)
+        place.erase(*w);
+      open.erase(begin + 1, open.end());
+    }
+    else
+    {
+      place[v] = open.size();
+      open.push_back(v);
+    }
+  }
+  loops.push_back(open);
+}
+
+// The borders of sets of segments.
+class Borders_of_segments
+{
+public:
+  Borders_of_segments(const Mesh_to_close& mesh, const std::vector<std::size_t>& segment_of_face)
+    : m_mesh(mesh),
+      m_segment_of_face(segment_of_face)
+  {
+    for (const Mesh_to_close::Halfedge_index h : halfedges(mesh))
+      if (!mesh.is_border(h) && !mesh.is_border(mesh.opposite(h)) &&
+          segment(h) != segment(mesh.opposite(h)))
+        m_halfedges.push_back(h);
+  }
+
+  // The closed loops around the segments that are `inside`, with them on the left.
+  std::vector<Loop> loops_around(const std::vector<bool>& inside) const
+  {
+    std::vector<Loop> loops;
+    std::set<Mesh_to_close::Halfedge_index> seen;
+    for (const Mesh_to_close::Halfedge_index h : m_halfedges)
+      if (is_border(h, inside) && seen.count(h) == 0)
+        if (const Loop walk = walk_from(h, inside, seen); !walk.empty())
+          add_simple_loops(walk, loops);
+    return loops;
+  }
+
+private:
+  std::size_t segment(Mesh_to_close::Halfedge_index h) const { return m_segment_of_face[m_mesh.face(h)]; }
+
+  bool is_border(Mesh_to_close::Halfedge_index h, const std::vector<bool>& inside) const
+  {
+    return inside[segment(h)] && !m_mesh.is_border(m_mesh.opposite(h)) &&
+           !inside[segment(m_mesh.opposite(h))];
+  }
+
+  // None if the walk ends at a border of the mesh.
+  Loop walk_from(Mesh_to_close::Halfedge_index first,
+                 const std::vector<bool>& inside,
+                 std::set<Mesh_to_close::Halfedge_index>& seen) const
+  {
+    Loop walk;
+    Mesh_to_close::Halfedge_index h = first;
+    do
+    {
+      seen.insert(h);
+      walk.push_back(std::size_t(m_mesh.source(h)));
+      h = m_mesh.next(h);
+      while (!is_border(h, inside))
+      {
+        h = m_mesh.opposite(h);
+        if (m_mesh.is_border(h))
+          return {};
+        h = m_mesh.next(h);
+      }
+    } while (h != first);
+    return walk;
+  }
+
+  const Mesh_to_close& m_mesh;
+  const std::vector<std::size_t>& m_segment_of_face;
+  std::vector<Mesh_to_close::Halfedge_index> m_halfedges; // between two segments
+};
+
+// For each segment: does it stick out of `segment`, or is it that itself?
+inline std::vector<bool> subtree(std::size_t segment, const std::vector<std::size_t>& parents)
+{
+  std::vector<bool> inside(parents.size(), false);
+  for (std::size_t s = 0; s < parents.size(); ++s)
+  {
+    std::size_t ancestor = s;
+    while (ancestor != segment && parents[ancestor] != ancestor)
+      ancestor = parents[ancestor];
+    inside[s] = ancestor == segment;
+  }
+  return inside;
+}
+
+// Triangles without those that are there both ways.
+class Caps_of_part
+{
+public:
+  void add(const Triangle& triangle)
+  {
+    const auto other = m_triangles.find(turned_over(triangle));
+    if (other != m_triangles.end())
+      m_triangles.erase(other);
+    else
+      m_triangles.insert(triangle);
+  }
+  const std::multiset<Triangle>& triangles() const { return m_triangles; }
+
+private:
+  std::multiset<Triangle> m_triangles;
+};
+
+struct Parts_with_flat_caps
+{
+  std::vector<Mesh_to_close::Point> points; // of all vertices of the mesh and, behind them, of caps
+  std::vector<std::vector<Loop>> polygons;  // of each segment
+};
+
+// For each segment its faces and the triangles that close it. Where a segment and all that sticks out of it is cut off, both
+// sides get the same cap, turned over: so all parts of a closed mesh are closed, and their volumes add up to the whole. A
+// border that ends at a border of the mesh gets no cap. `parents` has for each segment what it sticks out of, itself for a body.
+inline Parts_with_flat_caps parts_with_flat_caps(const Mesh_to_close& mesh,
+                                                 const std::vector<std::size_t>& segment_of_face,
+                                                 const std::vector<std::size_t>& parents)
+{
+  Capper capper(mesh);
+  const Borders_of_segments borders(mesh, segment_of_face);
+  std::vector<Caps_of_part> caps(parents.size());
+  for (std::size_t s = 0; s < parents.size(); ++s)
+    if (parents[s] != s)
+      for (const Loop& loop : borders.loops_around(subtree(s, parents)))
+        for (const Triangle& triangle : capper.cap(loop))
+        {
+          caps[s].add(turned_over(triangle)); // its edges meet those of the faces of the segment
+          caps[parents[s]].add(triangle);
+        }
+
+  Parts_with_flat_caps result;
+  result.polygons.resize(parents.size());
+  for (const auto f : faces(mesh))
+  {
+    Loop corners;
+    for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
+      corners.push_back(std::size_t(v));
+    result.polygons[segment_of_face[f]].push_back(std::move(corners));
+  }
+  for (std::size_t s = 0; s < parents.size(); ++s)
+    for (const Triangle& triangle : caps[s].triangles())
+      result.polygons[s].emplace_back(triangle.begin(), triangle.end());
+  result.points = capper.points();
+  return result;
+}
+
+} // namespace CGAL::Protrusion_segmentation::internal
+
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CLOSING_PARTS_WITH_FLAT_CAPS_H
