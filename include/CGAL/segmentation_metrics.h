@@ -235,19 +235,10 @@ std::optional<double> segmentation_cut_discrepancy(const FaceGraph& pmesh,
 returns how well the parts of a reference are found: the mean, over all parts of the reference, of the largest
 intersection over union of the part and any segment. Larger is better.
 
-This is the metric of learned methods of part segmentation. Faces are counted, not weighted. A segment may be the
-best one for many parts, and segments that are the best one for no part do not count, so the two
-segmentations may not be exchanged. Faces of the reference with a negative id belong to no part.
+This is the metric of learned methods. Faces are counted, not weighted. A segment may be the best one for many parts.
+Faces of the reference with a negative id belong to no part. The two segmentations may not be exchanged.
 
-\tparam FaceGraph a model of `FaceListGraph`
-\tparam SegmentIdMap a model of `ReadablePropertyMap` with
-                     `boost::graph_traits<FaceGraph>::%face_descriptor` as key type and any integral type as
-                     value type
-\tparam ReferenceIdMap the same; the value type may be another one
-
-\param pmesh the mesh
-\param segment_ids the segmentation
-\param reference_ids the segmentation that it is compared to
+\param pmesh, segment_ids, reference_ids as for `segmentation_rand_index_error()`
 
 \return a number in (0, 1]; 1 if and only if each part is a segment, as without any part
 
@@ -269,9 +260,7 @@ double mean_best_intersection_over_union(const FaceGraph& pmesh,
 /*!
 \ingroup PkgProtrusionSegmentationMetrics
 
-returns all metrics at once: `segmentation_rand_index_error()`, `segmentation_hamming_distance()`,
-`segmentation_cut_discrepancy()`, `segmentation_consistency_error()` and `mean_best_intersection_over_union()`,
-for less than the sum of their times.
+returns all of these metrics at once, for less than the sum of their times.
 
 \param pmesh, segment_ids, reference_ids, np as for `segmentation_cut_discrepancy()`
 

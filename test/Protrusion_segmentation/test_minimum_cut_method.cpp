@@ -11,6 +11,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cmath>
+#include <cstdint>
 #include <set>
 
 using namespace test_meshes;
@@ -68,6 +70,34 @@ void smooth_tubes_are_whole()
 {
   CHECK_EQUAL(automatic_segmentation(capsule(0.2, 20, 0.15)).number, 1);
   CHECK_EQUAL(automatic_segmentation(torus(4, 0.2, 200, 12)).number, 1);
+}
+
+// A rod of radius `radius` along `curve(s)`, which is as long as it.
+template <typename Curve>
+Test_mesh rod_along(Curve curve, double length, double radius)
+{
+  constexpr double step = 1e-4;
+  const auto unit = [](const Point& p) { return (1 / std::sqrt(dot(p, p))) * p; };
+  return transformed(capsule(radius, length - 2 * radius, radius / 3),
+                     [&](const Point& p)
+                     {
+                       const Point centre = curve(p[2]),
+                                   tangent = unit(curve(p[2] + step) - curve(p[2] - step));
+                       const Point across = unit(cross(tangent, {0.1, 0.2, 1})), up = cross(across, tangent);
+                       return centre + p[0] * across + p[1] * up;
+                     });
+}
+
+void bent_tubes_are_whole()
+{
+  const auto arch = [](double s) { return Point{std::cos(s / 1.3), 1.5 * std::sin(s / 1.3), 0}; };
+  const auto wave = [](double s) { return Point{s, 0.4 * std::sin(3.5 * s), 0}; };
+  const auto spring = [](double s) { return Point{std::cos(s), std::sin(s), 0.16 * s}; };
+  const auto spiral = [](double s) { return Point{(1 + 0.05 * s) * std::cos(s), (1 + 0.05 * s) * std::sin(s), 0}; };
+  for (const Test_mesh& tube : {rod_along(arch, 4, 0.2), rod_along(wave, 4, 0.2), rod_along(spring, 18, 0.16),
+                                rod_along(spiral, 20, 0.12), torus(1.5, 0.1, 120, 12)})
+    for (const std::uint_fast32_t seed : {1, 2, 3})
+      CHECK_EQUAL(automatic_segmentation(jittered(tube, 0.01, seed)).number, 1);
 }
 
 // A face keeps its segment, or gets the nearest ancestor of it that is left: the segments nest.
@@ -187,6 +217,7 @@ int main()
   true_parts_of_a_large_surface_are_found();
   evident_protrusions_are_counted_without_a_number();
   smooth_tubes_are_whole();
+  bent_tubes_are_whole();
   the_hierarchy_holds_nested_segmentations();
   tips_of_a_user_are_cut_off();
   other_distances_serve_the_search();

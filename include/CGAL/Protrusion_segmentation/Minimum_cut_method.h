@@ -33,7 +33,8 @@ cuts, adds the best further cuts to each, and takes the set with the largest sum
 neighboring segments become minimum cuts on the faces.
 
 If no number of segments is given, segmentation stops at the largest drop in the gain of a further cut. Hills, scales and
-pockets, which face in one direction as a whole, hardly count.
+pockets, which face in one direction as a whole, hardly count. A surface is one segment if none of the cuts is distinct: if it
+widens beside none of them and none lies in a deep seam. So springs, rings and knots are whole.
 
 A flat component, whose faces all have the same normal, is segmented by its outline.
 

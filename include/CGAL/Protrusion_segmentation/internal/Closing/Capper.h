@@ -142,10 +142,10 @@ inline std::vector<Triangle> Capper::triangulate(const Loop& loop) const
   std::vector<Triangle> triangles;
   for (const auto& [a, b, c] : found)
   {
-    std::array<int, 3> corners = {a, b, c};
-    std::sort(corners.begin(), corners.end()); // in the direction of the loop
+    std::array<int, 3> sorted = {a, b, c};
+    std::sort(sorted.begin(), sorted.end()); // in the direction of the loop
     triangles.push_back(from_smallest(
-      {loop[std::size_t(corners[0])], loop[std::size_t(corners[1])], loop[std::size_t(corners[2])]}));
+      {loop[std::size_t(sorted[0])], loop[std::size_t(sorted[1])], loop[std::size_t(sorted[2])]}));
   }
   return triangles;
 }

@@ -72,9 +72,10 @@ public:
              : std::nullopt;
   }
 
+  // One if none of the cuts is distinct: a tube is one piece, however it is bent.
   std::size_t automatic_number()
   {
-    return automatic_number_of_segments(
+    const std::size_t number = automatic_number_of_segments(
       [this](std::size_t number) -> std::optional<double>
       {
         const Next_segment progress(m_execution, number, std::nullopt);
@@ -83,6 +84,9 @@ public:
         return m_beam.gain(number + 1);
       },
       m_options);
+    const std::vector<Cut_set::Made_cut>& cuts = m_beam.best(number)->cuts;
+    const bool is_tube = std::none_of(cuts.begin(), cuts.end(), [](const Cut_set::Made_cut& cut) { return cut.is_distinct; });
+    return is_tube ? 1 : number;
   }
 
   // The cuts of protrusions of picked tips. Where they are those of the best segmentation into some number of segments and a few

@@ -75,6 +75,14 @@ struct Cut_weights
   }
 };
 
+// Whether a cut marks a place of the surface. Others, of which a bent tube is full, say where to divide what must be divided.
+inline bool is_distinct(const Cut_clues& clues)
+{
+  constexpr double least_widening = 0.15; // or shoulder; the bends of springs and knots reach .11
+  constexpr double deep_seam = -1.5;      // a cost of a fifth
+  return (std::max)(clues.larger_widening, clues.larger_shoulder) > least_widening || clues.mean_cost < deep_seam;
+}
+
 // The constants of the default method that a benchmark may vary. Lengths are in units of the square root of
 // the area of the surface. All were chosen on three quarters of the development models of the Princeton benchmark and lie
 // on plateaus, unless said otherwise.

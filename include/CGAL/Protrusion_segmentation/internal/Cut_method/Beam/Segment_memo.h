@@ -28,6 +28,7 @@ struct Cut_set
     Index segment, inner, outer;
     double value;
     double probability = 0;
+    bool is_distinct = true;
   };
 
   std::vector<Index> segments; // that are left, ascending
@@ -99,7 +100,7 @@ public:
   Cut_set::Made_cut made_cut(Index id, const Cut& cut)
   {
     const Index inner = find_or_add(cut.inner);
-    return {id, inner, find_or_add(other_side(m_entries[id].segment, cut.inner)), cut.value, cut.probability};
+    return {id, inner, find_or_add(other_side(m_entries[id].segment, cut.inner)), cut.value, cut.probability, is_distinct(cut.clues)};
   }
 
 private:
