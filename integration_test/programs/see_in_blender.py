@@ -31,7 +31,7 @@ def open_file(path):
 
 def describe(element):
     if element.type == "ARMATURE":
-        return {"name": element.name, "bones": [bone.name for bone in element.data.bones]}
+        return {"name": element.name, "parents": {bone.name: bone.parent.name if bone.parent else None for bone in element.data.bones}}
     mesh = element.data
     corners = [element.matrix_world @ mathutils.Vector(corner) for corner in element.bound_box]
     return {"name": element.name,

@@ -51,15 +51,17 @@ def check_place(seen, expected):
 
 
 def check_rig(line):
-    """Each bone moves its segment alone, that of the body all. An end, which is at a tip, moves nothing."""
-    (armature,) = [one for one in line["objects"] if "bones" in one]
-    moved = line["moved"]
-    tell("Blender", "rig.glb", f"an armature of {len(armature['bones'])} bones; each moves: "
+    """Each bone moves its segment and all that hangs on it. An end, which is at a tip, moves nothing."""
+    (armature,) = [one for one in line["objects"] if "parents" in one]
+    parents, moved = armature["parents"], line["moved"]
+    tell("Blender", "rig.glb", f"an armature of {len(parents)} bones; segments that each moves: "
          f"{ {bone: len(groups) for bone, groups in moved.items()} }")
+
+    def hangs_on(bone, other):
+        return bone is not None and (bone == other or hangs_on(parents[bone], other))
+
     for bone, groups in moved.items():
-        of_body = bone == "segment 0"
-        assert groups == ([] if bone.endswith(" end") else groups if of_body else [bone])
-        assert not of_body or len(groups) == NUMBER
+        assert groups == sorted(other for other in parents if hangs_on(other, bone) and not other.endswith(" end"))
 
 
 def blender(folder):

@@ -38,10 +38,12 @@ def test_skeleton_in_json(segment, octopus, tmp_path):
         if joint["is_tip"]:
             assert joint["point"] == pytest.approx(tips[joint["segment"]])
             assert joints[joint["parent"]]["segment"] == joint["segment"]
-    borders = {tuple(border["segments"]): border["points"] for border in record["borders"]}
+    parents = {p["segment"]: p["parent"] for p in record["protrusions"]}
     for joint in joints:
-        if joint["segment"] > 0 and not joint["is_tip"] and (0, joint["segment"]) in borders:
-            points = np.array(borders[0, joint["segment"]])
+        if joint["segment"] in parents and not joint["is_tip"]:
+            between = sorted([joint["segment"], parents[joint["segment"]]])
+            points = np.array([point for border in record["borders"] if border["segments"] == between
+                               for point in border["points"]])
             assert (points.min(axis=0) <= joint["point"]).all() and (joint["point"] <= points.max(axis=0)).all()
 
 

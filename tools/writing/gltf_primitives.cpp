@@ -11,8 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <tuple>
+#include <unordered_map>
 
 namespace tool {
 namespace {
@@ -36,11 +35,22 @@ public:
     const std::size_t point = m_soup.polygons[face][corner];
     const Corner_values<2>& textures = m_soup.attributes.texture_coordinates;
     const std::size_t texture = m_has_texture ? textures.indices[face][corner] : no_index;
-    const auto next = static_cast<std::uint32_t>(m_indices.size());
-    const auto [position, is_new] = m_indices.emplace(std::make_tuple(point, texture, normal), next);
+    const auto next = static_cast<std::uint32_t>(m_points.size());
+    const auto [known, is_new] = m_last_of_point.emplace(point, next);
     if (!is_new)
-      return position->second;
+    {
+      std::uint32_t vertex = known->second;
+      while (vertex != none &&
+             (m_textures_of_vertices[vertex] != texture || m_normals_of_vertices[vertex] != normal))
+        vertex = m_earlier[vertex];
+      if (vertex != none)
+        return vertex;
+    }
+    m_earlier.push_back(is_new ? none : known->second);
+    known->second = next;
     m_points.push_back(point);
+    m_textures_of_vertices.push_back(texture);
+    m_normals_of_vertices.push_back(normal);
     const std::array<float, 3> coordinates = m_frame.position(m_soup.points[point]);
     m_positions.insert(m_positions.end(), coordinates.begin(), coordinates.end());
     m_normals.insert(m_normals.end(), normal.begin(), normal.end());
@@ -49,7 +59,7 @@ public:
         m_textures.push_back(static_cast<float>(coordinate));
     if (m_has_colors)
       add_color(m_soup.attributes.colors[point]);
-    return position->second;
+    return next;
   }
 
   // Of each vertex.
@@ -58,10 +68,10 @@ public:
   Json add_attributes(std::size_t segment, Gltf_document& document) const
   {
     constexpr bool has_bounds = true;
-    Json result = {
-      {"POSITION", document.add_floats(m_positions, 3, has_bounds)},
-      {"NORMAL", document.add_floats(m_normals, 3)},
-      {"_SEGMENT", document.add_floats(std::vector<float>(m_points.size(), static_cast<float>(segment)), 1)}};
+    Json result = {{"POSITION", document.add_floats(m_positions, 3, has_bounds)},
+                   {"NORMAL", document.add_floats(m_normals, 3)},
+                   {"_SEGMENT", document.add_floats(
+                                  std::vector<float>(m_points.size(), static_cast<float>(segment)), 1)}};
     if (m_has_texture)
       result["TEXCOORD_0"] = document.add_floats(m_textures, 2);
     if (m_has_colors)
@@ -80,7 +90,11 @@ private:
   const Polygon_soup& m_soup;
   const Gltf_frame& m_frame;
   bool m_has_texture, m_has_colors;
-  std::map<std::tuple<std::size_t, std::size_t, Normal>, std::uint32_t> m_indices;
+  static constexpr std::uint32_t none = 0xffffffff;
+  std::unordered_map<std::size_t, std::uint32_t> m_last_of_point; // the vertex that was added last
+  std::vector<std::uint32_t> m_earlier; // of each vertex: the one before at its point
+  std::vector<std::size_t> m_textures_of_vertices;
+  std::vector<Normal> m_normals_of_vertices;
   std::vector<std::size_t> m_points;
   std::vector<float> m_positions, m_normals, m_textures, m_colors;
 };
