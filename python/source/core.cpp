@@ -67,9 +67,12 @@ auto label_map(Labels& labels, const tool::Mesh& mesh)
   return boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh));
 }
 
-auto named_parameters(unsigned int random_seed, Stoppable& visitor)
+// `patches` are those of the mesh.
+auto named_parameters(unsigned int random_seed, Stoppable& visitor, const tool::Mesh& mesh, const Labels& patches)
 {
-  return CGAL::parameters::random_seed(random_seed).visitor(std::ref(visitor));
+  return CGAL::parameters::random_seed(random_seed)
+    .visitor(std::ref(visitor))
+    .face_patch_map(boost::make_iterator_property_map(patches.begin(), get(boost::face_index, mesh)));
 }
 
 // Of every face that was given, from what `segment(input, map of labels, visitor)` gives to those of the mesh. It must
@@ -101,7 +104,8 @@ Integers segment(const Coordinates& vertices,
     copy(vertices, corners, sizes, snapping_tolerance, joining_gap),
     [=](const tool::Input_mesh& input, auto labels, Stoppable& visitor)
     {
-      const auto np = named_parameters(random_seed, visitor);
+      const Labels patches = tool::patches_of_mesh(input);
+      const auto np = named_parameters(random_seed, visitor, input.mesh, patches);
       with_method(method, distance,
                   [&](const auto& m)
                   {
@@ -140,7 +144,8 @@ Integers segment_from_tips(const Coordinates& vertices,
     [=](const tool::Input_mesh& input, auto labels, Stoppable& visitor)
     {
       const std::vector<tool::Face> faces = faces_at(tips, input);
-      const auto np = named_parameters(random_seed, visitor);
+      const Labels patches = tool::patches_of_mesh(input);
+      const auto np = named_parameters(random_seed, visitor, input.mesh, patches);
       with_method(method, distance, [&](const auto& m)
                   { return CGAL::segmentation_from_protrusion_tips(input.mesh, faces, labels, m, np); });
     });
@@ -161,7 +166,8 @@ std::pair<Integers, Integers> hierarchy(const Coordinates& vertices,
     [=, arrays = copy(vertices, corners, sizes, snapping_tolerance, joining_gap)](Stoppable& visitor)
     {
       const tool::Input_mesh input = mesh_of_arrays(arrays);
-      const auto np = named_parameters(random_seed, visitor);
+      const Labels patches = tool::patches_of_mesh(input);
+      const auto np = named_parameters(random_seed, visitor, input.mesh, patches);
       const PS::Segment_hierarchy found =
         with_method(method, distance, [&](const auto& m)
                     { return CGAL::protrusion_hierarchy(input.mesh, maximum_number_of_segments, m, np); });
@@ -189,12 +195,13 @@ Integers tips(const Coordinates& vertices,
     [=, arrays = copy(vertices, corners, sizes, snapping_tolerance, joining_gap)](Stoppable& visitor)
     {
       const tool::Input_mesh input = mesh_of_arrays(arrays);
+      const Labels patches = tool::patches_of_mesh(input);
       std::vector<tool::Face> found;
       with_distance(distance,
                     [&](const auto& d)
                     {
                       return CGAL::protrusion_tips(input.mesh, number_of_tips, std::back_inserter(found), d,
-                                                   named_parameters(random_seed, visitor));
+                                                   named_parameters(random_seed, visitor, input.mesh, patches));
                     });
       Labels faces;
       for (const tool::Face face : found)
