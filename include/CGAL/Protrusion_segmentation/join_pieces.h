@@ -35,9 +35,9 @@ back to the polygons.
 
 \param points the points
 \param polygons the corners of every polygon, as indices of `points`, in any orientation
-\param output the mesh to which vertices and faces are added: triangles, about a third of the gap long, a quarter of a million at most
+\param output the mesh to which vertices and faces are added: triangles, about a third of the gap long, about 150,000 at most
 \param gap the distance up to which pieces are joined, above 0 and at most the diagonal of the bounding box; nothing: a
-       fortieth of it. Openings that are narrower are closed, too; if the gap is less than about a 130th, openings up to such a
+       fortieth of it. Openings that are narrower are closed, too; if the gap is less than about a hundredth, openings up to such a
        share of a shape are closed, more if there are many shapes.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" for the points: `point_map`
 \param output_np an optional sequence of \ref bgl_namedparameters "Named Parameters" for `output`: `vertex_point_map`

@@ -270,8 +270,8 @@ inline std::vector<std::size_t> pieces_of_polygons(const Polygon_soup& soup)
 }
 
 // Surfaces around all that is nearer to each other than the gap; an automatic one if none is given. They have about that many
-// faces at most; a quarter of a million take half a minute.
-inline Wrapped_pieces wrap_pieces(Polygon_soup soup, std::optional<double> gap, double most_faces = 250000)
+// faces at most; that many take a quarter of a minute.
+inline Wrapped_pieces wrap_pieces(Polygon_soup soup, std::optional<double> gap, double most_faces = 150000)
 {
   Wrapped_pieces result;
   result.piece_of_polygon = pieces_of_polygons(soup);
