@@ -11,10 +11,11 @@ write_basic_package_version_file(
   COMPATIBILITY SameMajorVersion ARCH_INDEPENDENT)
 install(FILES
   cmake/Protrusion_segmentationComponents.cmake
-  cmake/methods.cpp
   ${CMAKE_CURRENT_BINARY_DIR}/Protrusion_segmentationConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/Protrusion_segmentationConfigVersion.cmake
   DESTINATION ${config_folder})
+install(FILES cmake/compiled/minimum_cut_method.cpp cmake/compiled/histogram_method.cpp cmake/compiled/canonical_surface.cpp
+  DESTINATION ${config_folder}/compiled)
 
 set(documentation_folder ${CMAKE_INSTALL_DATAROOTDIR}/doc/protrusion-segmentation)
 install(FILES README.md CHANGES.md DESTINATION ${documentation_folder})
@@ -31,8 +32,13 @@ if(DEFINED ENV{DEBFULLNAME} AND DEFINED ENV{DEBEMAIL})
 else()
   set(CPACK_PACKAGE_CONTACT "The Protrusion_segmentation authors <nobody@localhost>")
 endif()
+find_program(GZIP_PROGRAM gzip)
+mark_as_advanced(GZIP_PROGRAM)
+if(NOT GZIP_PROGRAM) # as on Windows
+  return()
+endif()
 configure_file(cmake/debian/changelog.in changelog @ONLY)
-execute_process(COMMAND gzip -9nf changelog WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${GZIP_PROGRAM} -9nf changelog WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} COMMAND_ERROR_IS_FATAL ANY)
 function(protrusion_install_debian_documents folder)
   install(FILES cmake/debian/copyright ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${folder} ${ARGN})
 endfunction()

@@ -1,7 +1,7 @@
 # Headers that many programs include are compiled once, but with clang++ with every program, as in the folders that
 # CGAL takes when each is built alone: there a missing #include shows.
 
-if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR PROTRUSION_SEGMENTATION_LITTLE_MEMORY)
   return()
 endif()
 

@@ -19,8 +19,10 @@ if(PROTRUSION_SEGMENTATION_STRICT_WARNINGS)
   target_compile_options(protrusion_program INTERFACE -Wall -Wextra -Werror)
 endif()
 # With more memory before it collects garbage, g++ takes a seventh less time.
-target_compile_options(protrusion_program INTERFACE
-  "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1000000>")
+if(NOT PROTRUSION_SEGMENTATION_LITTLE_MEMORY)
+  target_compile_options(protrusion_program INTERFACE
+    "$<$<CXX_COMPILER_ID:GNU>:SHELL:--param ggc-min-heapsize=1000000>")
+endif()
 # The sanitizers, which a program that is not to have the rest takes alone.
 add_library(protrusion_sanitizers INTERFACE)
 target_link_libraries(protrusion_program INTERFACE protrusion_sanitizers)
@@ -35,10 +37,14 @@ if(PROTRUSION_SEGMENTATION_SANITIZERS)
     -fsanitize=${PROTRUSION_SEGMENTATION_SANITIZERS})
 endif()
 
+# The distances that need a library, for programs that link them.
+set(protrusion_distances diffusion_distance exact_geodesic_distance heat_distance)
+list(TRANSFORM protrusion_distances REPLACE "(.+)" "${CMAKE_CURRENT_LIST_DIR}/compiled/\\1.cpp")
+
 # The methods, distances and test meshes, compiled once for all programs but those that are to have every header as users have it.
 if(PROTRUSION_SEGMENTATION_LINK_METHODS)
   target_sources(Protrusion_segmentation_compiled PRIVATE
-    ${CMAKE_CURRENT_LIST_DIR}/distances.cpp ${CMAKE_CURRENT_LIST_DIR}/compiled_once.cpp)
+    ${protrusion_distances} ${CMAKE_CURRENT_LIST_DIR}/compiled_once.cpp)
   target_include_directories(Protrusion_segmentation_compiled PRIVATE
     ${PROJECT_SOURCE_DIR}/test/Protrusion_segmentation/include)
   target_compile_definitions(Protrusion_segmentation_compiled
@@ -46,7 +52,7 @@ if(PROTRUSION_SEGMENTATION_LINK_METHODS)
   # As much as for users, whatever the tests are compiled with: they run faster, and g++ makes most of the same labels.
   # Eigen's part of the distances takes the compiler several times as long then.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND NOT PROTRUSION_SEGMENTATION_SANITIZERS)
-    set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/methods.cpp PROPERTIES COMPILE_OPTIONS -O3)
+    set_source_files_properties(${protrusion_segmentation_methods} PROPERTIES COMPILE_OPTIONS -O3)
   endif()
   get_target_property(options protrusion_program INTERFACE_LINK_LIBRARIES)
   target_link_libraries(Protrusion_segmentation_compiled PRIVATE ${options})

@@ -13,7 +13,11 @@
 # The methods as a static library, which is compiled once in the project that links
 # CGAL::Protrusion_segmentation_compiled in place of CGAL::Protrusion_segmentation, with that project's options.
 if(NOT TARGET Protrusion_segmentation_compiled)
-  add_library(Protrusion_segmentation_compiled STATIC EXCLUDE_FROM_ALL ${CMAKE_CURRENT_LIST_DIR}/methods.cpp)
+  set(protrusion_segmentation_methods minimum_cut_method histogram_method canonical_surface)
+  list(TRANSFORM protrusion_segmentation_methods
+       REPLACE "(.+)" "${CMAKE_CURRENT_LIST_DIR}/compiled/\\1.cpp")
+  set_source_files_properties(${protrusion_segmentation_methods} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  add_library(Protrusion_segmentation_compiled STATIC EXCLUDE_FROM_ALL ${protrusion_segmentation_methods})
   add_library(CGAL::Protrusion_segmentation_compiled ALIAS Protrusion_segmentation_compiled)
   target_link_libraries(Protrusion_segmentation_compiled PUBLIC CGAL::Protrusion_segmentation)
   target_compile_definitions(Protrusion_segmentation_compiled INTERFACE CGAL_PROTRUSION_SEGMENTATION_COMPILED)

@@ -2,59 +2,52 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-from typing import List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
 Integers = npt.NDArray[np.int64]
 Coordinates = npt.NDArray[np.float64]
+Row = Tuple[float, float, float, float, Optional[float], float, float, float, float, float]
 
 version: str
 
-def segment(
+def segment(vertices: Coordinates, corners: Integers, sizes: Integers, options: Dict[str, Any]) -> Dict[str, Any]: ...
+def tips(vertices: Coordinates, corners: Integers, sizes: Integers, options: Dict[str, Any]) -> Integers: ...
+def smooth_borders(
     vertices: Coordinates,
     corners: Integers,
     sizes: Integers,
-    number_of_segments: Optional[int],
-    method: str,
-    distance: Optional[str],
-    random_seed: int,
-    snapping_tolerance: Optional[float],
-    joining_gap: Optional[float],
-) -> Integers: ...
-def segment_from_tips(
+    options: Dict[str, Any],
+    labels: Integers,
+    number_of_iterations: int,
+) -> Dict[str, Any]: ...
+def closed_segments(
     vertices: Coordinates,
     corners: Integers,
     sizes: Integers,
-    tips: List[int],
-    method: str,
-    distance: Optional[str],
-    random_seed: int,
-    snapping_tolerance: Optional[float],
-    joining_gap: Optional[float],
-) -> Integers: ...
-def hierarchy(
+    options: Dict[str, Any],
+    labels: Integers,
+    parents: Integers,
+    tips: Integers,
+    are_caps_faired: bool,
+) -> List[Tuple[Coordinates, Integers, Integers]]: ...
+def skeleton(
     vertices: Coordinates,
     corners: Integers,
     sizes: Integers,
-    maximum_number_of_segments: int,
-    method: str,
-    distance: Optional[str],
-    random_seed: int,
-    snapping_tolerance: Optional[float],
-    joining_gap: Optional[float],
-) -> Tuple[Integers, Integers]: ...
-def tips(
-    vertices: Coordinates,
-    corners: Integers,
-    sizes: Integers,
-    number_of_tips: int,
-    distance: str,
-    random_seed: int,
-    snapping_tolerance: Optional[float],
-    joining_gap: Optional[float],
-) -> Integers: ...
+    options: Dict[str, Any],
+    labels: Integers,
+    parents: Integers,
+    tips: Integers,
+    number_of_inner_joints: int,
+) -> Dict[str, Any]: ...
 def evaluate(
-    vertices: Coordinates, corners: Integers, sizes: Integers, labels: Integers, reference: Integers
-) -> Tuple[float, float, float, float, Optional[float], float, float, float, float, float]: ...
+    vertices: Coordinates,
+    corners: Integers,
+    sizes: Integers,
+    labels: Integers,
+    references: List[Integers],
+    metrics: str,
+) -> List[Row]: ...

@@ -13,8 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace python
-{
+namespace python {
 
 // Threads that were interrupted and have still to notice it, which takes them up to some seconds on a large mesh. The
 // process may not end before them: they use what it destroys then.

@@ -13,10 +13,8 @@
 #include <utility>
 #include <vector>
 
-namespace python
-{
-namespace
-{
+namespace python {
+namespace {
 
 std::vector<tool::Point> read_points(const std::vector<double>& xyz)
 {
@@ -75,7 +73,8 @@ void check_points(tool::Polygon_soup& soup)
   for (const tool::Polygon& polygon : soup.polygons)
     for (const std::size_t i : polygon)
       if (!has_finite_coordinates(soup.points[i]))
-        throw std::invalid_argument("vertices: vertex " + std::to_string(i) + " has a coordinate that is not finite");
+        throw std::invalid_argument("vertices: vertex " + std::to_string(i) +
+                                    " has a coordinate that is not finite");
   for (tool::Point& p : soup.points)
     if (!has_finite_coordinates(p))
       p = CGAL::ORIGIN;
@@ -98,6 +97,20 @@ tool::Input_mesh mesh_of_arrays(const Arrays& arrays)
   {
     throw std::invalid_argument(std::string("faces: the mesh ") + error.what());
   }
+}
+
+std::vector<std::int64_t> labels_of_mesh(const std::vector<std::int64_t>& labels,
+                                         const tool::Input_mesh& input,
+                                         const std::string& name)
+{
+  if (labels.size() != input.label_giver.size())
+    throw std::invalid_argument(name + ": there are " + std::to_string(labels.size()) +
+                                ", but the mesh has " + std::to_string(input.label_giver.size()) +
+                                " faces");
+  std::vector<std::int64_t> result;
+  for (const std::size_t face : input.face_in_file)
+    result.push_back(labels[face]);
+  return result;
 }
 
 } // namespace python

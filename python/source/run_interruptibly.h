@@ -6,36 +6,26 @@
 #define PROTRUSION_SEGMENTATION_PYTHON_SOURCE_RUN_INTERRUPTIBLY_H
 
 #include "Interrupted_threads.h"
-#include "reading/Mesh.h"
+#include "Watcher.h"
 
-#include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
+#include <CGAL/Protrusion_segmentation/Segmentation_stopped.h>
 
 #include <pybind11/pybind11.h>
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <future>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <thread>
 #include <type_traits>
 #include <utility>
 
-namespace python
-{
-
-// A visitor that stops when another thread says so.
-class Stoppable : public CGAL::Protrusion_segmentation::Segmentation_visitor<tool::Mesh>
-{
-public:
-  explicit Stoppable(const std::atomic<bool>& is_stopped) : m_is_stopped(is_stopped) {}
-  bool go_further() { return !m_is_stopped; }
-
-private:
-  const std::atomic<bool>& m_is_stopped;
-};
+namespace python {
 
 inline Interrupted_threads& interrupted_threads()
 {
@@ -127,18 +117,18 @@ bool is_interrupted_before(const std::future<Result>& result)
   return false;
 }
 
-// The result of `run(visitor)`, which runs in a thread of its own: so Ctrl-C is answered at once, also where nobody
-// asks the visitor. `run` must own all that it uses, for after Ctrl-C it is left alone; it knows nothing of Python.
+// The result of `run(watcher)`, which runs in a thread of its own: so Ctrl-C is answered at once, also where nobody
+// asks the watcher. `run` must own all that it uses, for after Ctrl-C it is left alone; it knows nothing of Python.
 template <typename Run>
 auto run_interruptibly(Run run)
 {
   const auto is_stopped = std::make_shared<std::atomic<bool>>(false);
   const Calls::Call call(calls(), *is_stopped);
-  std::packaged_task<std::invoke_result_t<Run&, Stoppable&>()> task(
+  std::packaged_task<std::invoke_result_t<Run&, Watcher&>()> task(
     [run = std::move(run), is_stopped]() mutable
     {
-      Stoppable visitor(*is_stopped);
-      return run(visitor);
+      Watcher watcher([&]() { return !*is_stopped; });
+      return run(watcher);
     });
   auto result = task.get_future();
   interrupted_threads(); // lives longer than the thread
@@ -158,6 +148,40 @@ auto run_interruptibly(Run run)
   thread.join();
   calls().exit_if_ended();
   return result.get();
+}
+
+// The same in the thread of the call, for what calls functions of Python, such as `progress`. They may end it by an exception. So
+// may the handler of a signal, which is looked for whenever the watcher is asked.
+template <typename Run>
+auto run_with_callbacks(Run run, const std::function<void(double)>& progress)
+{
+  using Clock = std::chrono::steady_clock;
+  std::atomic<bool> is_stopped(false);
+  const Calls::Call call(calls(), is_stopped);
+  Clock::time_point last_look = Clock::now();
+  Watcher watcher(
+    [&]()
+    {
+      if (Clock::now() - last_look >= time_between_looks_for_signals)
+      {
+        const pybind11::gil_scoped_acquire gil;
+        if (PyErr_CheckSignals() != 0)
+          throw pybind11::error_already_set();
+        last_look = Clock::now();
+      }
+      return !is_stopped;
+    },
+    progress);
+  std::optional<std::invoke_result_t<Run&, Watcher&>> result;
+  try
+  {
+    const pybind11::gil_scoped_release released;
+    result = run(watcher);
+  }
+  catch (const CGAL::Protrusion_segmentation::Segmentation_stopped&)
+  {} // the process ends
+  calls().exit_if_ended();
+  return std::move(result.value());
 }
 
 } // namespace python

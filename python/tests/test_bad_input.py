@@ -24,6 +24,9 @@ VERTICES = [
     (with_value(POINTS, (2, 0), np.inf), FINITE),
     (with_value(POINTS, (2, 2), -np.inf), FINITE),
     (POINTS[:, :2], r"^vertices: the shape is \(4, 2\), not \(n, 3\)$"),
+    (np.vstack([POINTS, POINTS]).T, r"^vertices: the shape is \(3, 8\), not \(n, 3\); vertices.T has it$"),
+    (np.ma.masked_greater(POINTS, 0.5), "^vertices: a masked array; use vertices.compressed\\(\\)"),
+    (POINTS + 1j, "^vertices: coordinates are complex numbers$"),
     (POINTS.reshape(-1), r"^vertices: the shape is \(12,\), not \(n, 3\)$"),
     (POINTS[None], "^vertices: the shape"),
     (1.5, "^vertices: the shape"),
@@ -47,6 +50,7 @@ FACES = [
     ([[0, 1, None]], "^faces: not all of them are integers$"),
     ([[[0, 1, 2]]], "^faces: the shape"),
     (["012"], "^faces: not all of them are integers$"),
+    (np.ma.masked_greater(TRIANGLES, 2), "^faces: a masked array"),
     (TRIANGLES.reshape(-1), r"^faces: the shape is \(12,\), not \(m, 3\)$"),
     (TRIANGLES.reshape(-1).tolist(), "^faces: neither an array"),
     (np.insert(TRIANGLES, 0, 3, axis=1), r"^faces: in VTK's layout, .* faces.reshape\(-1, 4\)\[:, 1:\] are the corners$"),
@@ -107,12 +111,21 @@ CALLS = [
     (lambda: ps.hierarchy(POINTS, TRIANGLES, -1), "^maximum_number_of_segments is -1, but it must be from 1 to 4,"),
     (lambda: ps.tips(POINTS, TRIANGLES, 5), "^number_of_tips is 5, but it must be from 0 to 4, the number of faces of the mesh$"),
     (lambda: ps.tips(POINTS, TRIANGLES, -5), "^number_of_tips is -5, but it must be from 0 to 4,"),
-    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [4]), "^tips: a face is not in the mesh$"),
-    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [-1]), "^tips: a face is not in the mesh$"),
+    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [4]), "^tips: there is no face 4$"),
+    (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [-1]), "^tips: there is no face -1$"),
     (lambda: ps.segment_from_tips(POINTS, TRIANGLES, 3), "^tips: the shape"),
     (lambda: ps.segment_from_tips(POINTS, TRIANGLES, [0.5]), "^tips: not all of them are integers$"),
     (lambda: ps.evaluate(POINTS, TRIANGLES, [0, 1, 2], [0] * 4), "^labels: there are 3, but the mesh has 4 faces$"),
     (lambda: ps.evaluate(POINTS, TRIANGLES, [0] * 4, [0] * 5), "^reference: there are 5, but the mesh has 4 faces$"),
+    (lambda: ps.evaluate(POINTS, TRIANGLES, np.ma.masked_equal([0] * 4, 1), [0] * 4), "^labels: a masked array"),
+    (lambda: ps.LandmarkDistance(0), "^share is 0, but it must be above 0 and at most 1$"),
+    (lambda: ps.LandmarkDistance("x"), "^share is no number, but 'x'$"),
+    (lambda: ps.LandmarkDistance(number=0), "^number is 0, but it must be at least 1$"),
+    (lambda: ps.DiffusionDistance(301), "^terms is 301, but it must be from 1 to 300$"),
+    (lambda: ps.DiffusionDistance(time=-1), "^time is -1, but it must be at least 0$"),
+    (lambda: ps.PaperMethod(0), "^minimum_prominence is 0, but it must be above 0$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, threads=0), "^threads is 0, but it must be from 1 to 1024$"),
+    (lambda: ps.segment(POINTS, TRIANGLES, progress=3), "^progress is no function, but 3$"),
     (lambda: ps.evaluate(POINTS, TRIANGLES, [0.0] * 4, [0] * 4), "^labels: not all of them are integers$"),
 ]
 
@@ -149,6 +162,7 @@ def test_awkward_surfaces_are_segmented(faces):
         assert labels.min() == 0
 
 
+@pytest.mark.filterwarnings("ignore::protrusion_segmentation.RepairWarning")
 @pytest.mark.parametrize("seed", range(20))
 def test_random_soups_give_labels_or_value_errors(seed):
     random = np.random.default_rng(seed)

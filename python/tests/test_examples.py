@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The examples and the README's program. What needs a library that is not there is skipped."""
 
+import json
 import re
 import runpy
 import sys
@@ -78,6 +79,30 @@ def test_pyvista():
     mesh = pyvista.PolyData.from_irregular_faces(POINTS, TRIANGLES)
     example("label_with_pyvista.py")(mesh)
     assert (mesh.cell_data["segment"] == LABELS).all()
+
+
+def test_picture(tmp_path):
+    pytest.importorskip("matplotlib")
+    pytest.importorskip("meshio")
+    picture = tmp_path / "mesh.png"
+    show = runpy.run_path(str(FOLDER / "examples" / "show_segmentation.py"))["show"]
+    found = show(POINTS, TRIANGLES, picture, 7)
+    assert found.number_of_segments == 7
+    assert picture.read_bytes().startswith(b"\x89PNG") and picture.stat().st_size > 20000
+
+
+def test_notebook(capsys):
+    """Its cells run, and what they print is what the notebook shows."""
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    names = {}
+    cells = json.loads((FOLDER / "examples" / "segmentation.ipynb").read_text(encoding="utf-8"))["cells"]
+    for cell in cells:
+        if cell["cell_type"] == "code":
+            exec("".join(cell["source"]), names)
+            shown = ["".join(output["text"]) for output in cell["outputs"] if output["output_type"] == "stream"]
+            assert capsys.readouterr().out == "".join(shown)
+    assert names["found"].number_of_segments == 7
 
 
 def test_programs_of_the_readme():

@@ -70,10 +70,24 @@ def test_faces_of_any_form(faces):
     assert (ps.segment(POINTS, faces) == ps.segment(POINTS, TRIANGLES)).all()
 
 
-def test_vertices_of_any_form():
-    expected = ps.segment(POINTS.astype(np.float32).astype(float), TRIANGLES)
-    assert (ps.segment(POINTS.astype(np.float32), TRIANGLES) == expected).all()
-    assert (ps.segment(POINTS.tolist(), TRIANGLES) == ps.segment(POINTS, TRIANGLES)).all()
+@pytest.mark.parametrize("type_of_coordinates", [np.float16, np.float32, np.longdouble, np.int8, np.int64, np.uint32, object])
+def test_coordinates_of_any_type(type_of_coordinates):
+    points, triangles = ball_with_arms(3)
+    points = (100 + 3 * points).astype(type_of_coordinates)
+    expected = ps.segment(points.astype(float), triangles, 7)
+    assert (ps.segment(points, triangles, 7) == expected).all()
+    assert (ps.segment(points.tolist(), triangles, 7) == expected).all()
+    assert (ps.segment(np.asfortranarray(points), triangles, 7) == expected).all()
+
+
+@pytest.mark.parametrize("type_of_corners", "bBhHiIlLqQ")
+def test_corners_and_labels_of_any_integer_type(type_of_corners):
+    cube = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)], float)
+    faces = np.array([[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]], type_of_corners)
+    assert (ps.segment(cube, faces, 1) == 0).all()
+    assert (ps.segment(cube, faces.astype(faces.dtype.newbyteorder()), 1) == 0).all()
+    labels = np.array([0, 1, 0, 1, 0, 1], type_of_corners)
+    assert ps.rand_index_error(cube, faces, labels, labels[::-1]) == 0
 
 
 def test_the_arguments_stay_as_they_are():
@@ -122,6 +136,7 @@ def test_soup_without_common_vertices():
     assert (labels == ps.segment(POINTS, TRIANGLES, 7)).all()
 
 
+@pytest.mark.filterwarnings("ignore::protrusion_segmentation.RepairWarning")
 def test_corners_that_nearly_agree_are_one():
     soup = POINTS[TRIANGLES].reshape(-1, 3)
     faces = np.arange(len(soup)).reshape(-1, 3)

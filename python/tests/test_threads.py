@@ -59,6 +59,14 @@ def test_keyboard_interrupt_comes_at_once(name):
     assert (ps.segment(*ball_with_arms(3), 7) < 7).all()  # all works as before
 
 
+@pytest.mark.parametrize("option", ["progress", "distance"])
+def test_keyboard_interrupt_among_functions_of_python(option):
+    """Then it is looked for when the watcher is asked, which is less often on a busy machine."""
+    options = {"progress": lambda share: None, "distance": lambda graph: lambda face: graph.areas * (graph.areas[face] > 0)}
+    wait = interrupted_after(0.3, lambda: ps.segment(POINTS, TRIANGLES, 7, **{option: options[option]}))
+    assert wait is not None and wait < 20 * LONGEST_WAIT
+
+
 def test_other_threads_run_meanwhile():
     longest_pause = 0.0
     is_done = False

@@ -4,7 +4,8 @@
 //
 // The methods and the distances that need a library are `inline`, as all else. A program that is linked with
 // CGAL::Protrusion_segmentation_compiled defines CGAL_PROTRUSION_SEGMENTATION_COMPILED and sees only the declarations of the
-// methods. The source of that library defines CGAL_PROTRUSION_SEGMENTATION_INLINE as nothing. The package's own tests
+// methods. The sources of that library define CGAL_PROTRUSION_SEGMENTATION_INLINE as nothing, and those of the methods
+// CGAL_PROTRUSION_SEGMENTATION_COMPILED_SURFACES, since canonical surfaces are compiled apart. The package's own tests
 // compile those distances once, too, with CGAL_PROTRUSION_SEGMENTATION_COMPILED_DISTANCES.
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_INLINE_H

@@ -74,7 +74,7 @@ private:
 
 } // namespace CGAL::Protrusion_segmentation::internal
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_COMPILED
+#if !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED_SURFACES)
 #include <CGAL/Protrusion_segmentation/internal/Surface/make_canonical_surface.h>
 #endif
 

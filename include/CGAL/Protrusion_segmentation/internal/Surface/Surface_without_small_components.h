@@ -35,7 +35,7 @@ Surface_without_small_components leave_out_small_components(Surface_arrays surfa
 
 } // namespace CGAL::Protrusion_segmentation::internal
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_COMPILED
+#if !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED) && !defined(CGAL_PROTRUSION_SEGMENTATION_COMPILED_SURFACES)
 #include <CGAL/Protrusion_segmentation/internal/Surface/leave_out_small_components.h>
 #endif
 

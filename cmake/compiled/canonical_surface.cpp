@@ -2,11 +2,9 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The methods, for CGAL::Protrusion_segmentation_compiled: `internal/inline.h` says more.
+// For CGAL::Protrusion_segmentation_compiled: `internal/inline.h` says more.
 
 #define CGAL_PROTRUSION_SEGMENTATION_INLINE
 
-#include <CGAL/Protrusion_segmentation/Histogram_method.h>
-#include <CGAL/Protrusion_segmentation/Minimum_cut_method.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_without_small_components.h>
