@@ -13,6 +13,9 @@
 #include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/protrusion_segmentation.h>
 
+#include <algorithm>
+#include <cmath>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -91,6 +94,32 @@ void check(const tool::Input_mesh& input)
     require(input.label_giver[input.face_in_file[i]] == i, "a face of the mesh does not label itself");
 }
 
+// Joins the pieces of a file, with a gap that makes few faces.
+void join(const tool::Polygon_soup& soup)
+{
+  constexpr std::size_t most_polygons = 200; // more only take longer
+  CGAL::Bbox_3 box;
+  for (const tool::Polygon& polygon : soup.polygons)
+    for (const std::size_t corner : polygon)
+      box += soup.points[corner].bbox();
+  const double size = (std::max)({box.x_span(), box.y_span(), box.z_span()});
+  if (soup.polygons.size() > most_polygons || !std::isfinite(size))
+    return;
+  tool::Input_mesh input;
+  try
+  {
+    input = tool::join_pieces(soup, size / 4);
+  }
+  catch (const std::exception&) // no polygon has an area
+  {
+    return;
+  }
+  require(input.mesh.is_valid(false) && is_closed(input.mesh), "the surface around the pieces is not closed");
+  const std::vector<std::size_t> labels = tool::labels_of_file(
+    std::vector<std::size_t>(input.mesh.number_of_faces(), 0), input);
+  require(labels == std::vector<std::size_t>(soup.polygons.size(), 0), "a face has the label of no face");
+}
+
 } // namespace
 
 void fuzz_mesh_file(const std::string& extension, const std::string& bytes, std::size_t choice)
@@ -109,6 +138,8 @@ void fuzz_mesh_file(const std::string& extension, const std::string& bytes, std:
     return;
   }
   check(input);
+  if (choice % 8 == 0)
+    join(input.soup);
   if (input.mesh.number_of_faces() <= maximum_number_of_faces)
     segment(input.mesh, choice % 4, choice / 4);
 }

@@ -6,6 +6,7 @@
 import itertools
 import random
 import struct
+import zipfile
 
 import pytest
 
@@ -170,6 +171,89 @@ def test_gaps(segment, tmp_path):
     assert "touch" not in segment("a.obj").err
     assert segment.record("a.obj", "--join-pieces=.1")["surface"]["components"] == 2
     assert segment.record("a.obj", "--join-pieces=.3")["surface"]["components"] == 1
-    segment.refuses("a.obj", "--join-pieces=1e-9", message="--join-pieces: gap: ")
+    segment.refuses("a.obj", "--join-pieces=9", message="--join-pieces: gap: ")
     segment.refuses("a.obj", "--join-pieces=wide", code=2, message="'wide' is no distance")
     segment.refuses("a.obj", "--join-pieces", "--weld", "1", code=2, message="--weld")
+
+
+def write_ply(path, triangles):
+    """With points of their own for every face."""
+    head = (f"ply\nformat ascii 1.0\nelement vertex {3 * len(triangles)}\n"
+            "property float x\nproperty float y\nproperty float z\n"
+            f"element face {len(triangles)}\nproperty list uchar int vertex_indices\nend_header")
+    lines = [f"{x} {y} {z}" for triangle in triangles for x, y, z in triangle]
+    lines += [f"3 {i} {i + 1} {i + 2}" for i in range(0, 3 * len(triangles), 3)]
+    path.write_text("\n".join([head, *lines]) + "\n")
+
+
+def write_vtp(path, triangles):
+    points = " ".join(str(x) for triangle in triangles for point in triangle for x in point)
+    number = len(triangles)
+    path.write_text(f"""<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian"><PolyData>
+<Piece NumberOfPoints="{3 * number}" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0"
+ NumberOfPolys="{number}"><Points>
+<DataArray type="Float32" NumberOfComponents="3" format="ascii">{points}</DataArray></Points><Polys>
+<DataArray type="Int32" Name="connectivity" format="ascii">{" ".join(map(str, range(3 * number)))}</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">{" ".join(map(str, range(3, 3 * number + 1, 3)))}</DataArray>
+</Polys></Piece></PolyData></VTKFile>
+""")
+
+
+def write_3mf(path, triangles):
+    vertices = "".join(f'<vertex x="{x}" y="{y}" z="{z}"/>'
+                       for triangle in triangles for x, y, z in triangle)
+    faces = "".join(f'<triangle v1="{i}" v2="{i + 1}" v3="{i + 2}"/>'
+                    for i in range(0, 3 * len(triangles), 3))
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("[Content_Types].xml", TYPES_3MF)
+        archive.writestr("_rels/.rels", RELATIONS_3MF)
+        archive.writestr("3D/3dmodel.model", f"""<?xml version="1.0" encoding="UTF-8"?>
+<model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>
+<object id="1" type="model"><mesh><vertices>{vertices}</vertices><triangles>{faces}</triangles></mesh></object>
+</resources><build><item objectid="1"/></build></model>
+""")
+
+
+TYPES_3MF = """<?xml version="1.0" encoding="UTF-8"?>
+<Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">
+<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>
+<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>
+"""
+RELATIONS_3MF = """<?xml version="1.0" encoding="UTF-8"?>
+<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">
+<Relationship Target="/3D/3dmodel.model" Id="rel0"
+ Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>
+"""
+
+
+def reversed_triangles(triangles):
+    return [triangle[::-1] for triangle in triangles]
+
+
+def shifted_corners(triangles):
+    """With corners that differ by the last bits of single precision."""
+    numbers = itertools.count()
+    return [tuple(tuple(x * (1 + next(numbers) % 3 * 1.2e-7) for x in point) for point in triangle)
+            for triangle in triangles]
+
+
+SOUPS = {
+    "touching": box((0, 0, 0), (1, 1, 1)) + box((1, 0, 0), (2, 1, 1)) + box((2, 1, 0), (3, 2, 1)),
+    "hollow": box((0, 0, 0), (4, 4, 4)) + reversed_triangles(box((1, 1, 1), (3, 3, 3))),
+    "inside out": reversed_triangles(box((0, 0, 0), (1, 1, 1))),
+    "nearly agreeing": shifted_corners(box((1, 2, 3), (4, 5, 6)) + box((4, 2, 3), (6, 5, 6))),
+}
+
+
+@pytest.mark.parametrize("soup", SOUPS)
+@pytest.mark.parametrize("options", [[], ["--join-pieces"]])
+def test_formats_have_the_same_labels(segment, tmp_path, libraries, soup, options):
+    writers = {"stl": write_stl, "obj": write_obj, "ply": write_ply}
+    writers.update({"vtp": write_vtp} if "vtk" in libraries else {})
+    writers.update({"3mf": write_3mf} if "lib3mf" in libraries else {})
+    found = {}
+    for extension, write in writers.items():
+        write(tmp_path / f"a.{extension}", SOUPS[soup])
+        result = segment(f"a.{extension}", *options, "-o", "a.seg")
+        found[extension] = labels(tmp_path / "a.seg"), result.err.replace(extension, "")
+    assert all(one == found["stl"] for one in found.values())

@@ -32,6 +32,17 @@ auto label_map(std::vector<std::size_t>& labels, const tool::Mesh& mesh)
   return boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh));
 }
 
+// `patches` are those of the mesh.
+auto named_parameters(const Request& request,
+                      Watcher& watcher,
+                      const tool::Mesh& mesh,
+                      const std::vector<std::size_t>& patches)
+{
+  return CGAL::parameters::random_seed(request.random_seed)
+    .visitor(std::ref(watcher))
+    .face_patch_map(boost::make_iterator_property_map(patches.begin(), get(boost::face_index, mesh)));
+}
+
 // The result of `run(tag)` with as many threads as asked for, or with one where there is no oneTBB.
 template <typename Run>
 auto with_threads(const Request& request, Run run)
@@ -77,7 +88,8 @@ std::size_t run_method(const Request& request,
   check_number(request, 1, input);
   const tool::Mesh& mesh = input.mesh;
   const Chosen_method method(request.method);
-  const auto np = CGAL::parameters::random_seed(request.random_seed).visitor(std::ref(watcher));
+  const std::vector<std::size_t> patches = tool::patches_of_mesh(input);
+  const auto np = named_parameters(request, watcher, mesh, patches);
   return with_threads(request,
                       [&](auto tag)
                       {
@@ -199,7 +211,8 @@ std::vector<std::size_t> select_tips(const Request& request, Watcher& watcher)
   check_number(request, 0, input);
   std::vector<tool::Face> found;
   const Chosen_distance distance = choose_distance(request.method).value();
-  const auto np = CGAL::parameters::random_seed(request.random_seed).visitor(std::ref(watcher));
+  const std::vector<std::size_t> patches = tool::patches_of_mesh(input);
+  const auto np = named_parameters(request, watcher, input.mesh, patches);
   with_threads(request,
                [&](auto tag)
                {

@@ -22,6 +22,7 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 using namespace test_meshes;
@@ -51,14 +52,19 @@ std::size_t number_of_shapes(const Test_mesh& soup, std::optional<double> gap = 
     mesh, boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh)), 1);
 }
 
-Labels segment(const Test_mesh& soup, std::optional<std::size_t> k = std::nullopt)
+Labels segment(const Test_mesh& soup,
+               std::optional<std::size_t> k = std::nullopt,
+               std::optional<double> gap = std::nullopt)
 {
   Mesh mesh;
-  const auto pieces = joined(soup, mesh);
-  std::vector<std::size_t> ids(mesh.number_of_faces());
+  const auto pieces = joined(soup, mesh, gap);
+  std::vector<std::size_t> ids(mesh.number_of_faces()), patches(mesh.number_of_faces());
   const auto map = boost::make_iterator_property_map(ids.begin(), get(boost::face_index, mesh));
-  const std::size_t number = k ? CGAL::segmentation_via_protrusion_tips(mesh, map, *k)
-                               : CGAL::segmentation_via_protrusion_tips(mesh, map);
+  const auto patch_map = boost::make_iterator_property_map(patches.begin(), get(boost::face_index, mesh));
+  pieces.pieces_of_faces(patch_map);
+  const auto np = CGAL::parameters::face_patch_map(patch_map);
+  const std::size_t number = k ? CGAL::segmentation_via_protrusion_tips(mesh, map, *k, np)
+                               : CGAL::segmentation_via_protrusion_tips(mesh, map, np);
   Labels labels;
   pieces.labels_of_polygons(map, std::back_inserter(labels));
   CHECK_EQUAL(labels.size(), soup.faces.size());
@@ -79,6 +85,55 @@ void pieces_that_are_near_are_one()
   CHECK_EQUAL(number_of_shapes(two_boxes(.2), .4), 1);
   CHECK_EQUAL(number_of_shapes(two_boxes(.01)), 1); // a fortieth of the size is more
   CHECK_EQUAL(number_of_shapes(two_boxes(1)), 2);
+}
+
+// With few faces, so that gaps are narrower than what the surfaces resolve. What is not nearer than the gap stays apart.
+PS::internal::Wrapped_pieces coarsely_joined(const Test_mesh& mesh, double gap)
+{
+  PS::internal::Polygon_soup soup;
+  for (const Point& p : mesh.points)
+    soup.points.emplace_back(p[0], p[1], p[2]);
+  for (const Face& face : mesh.faces)
+    soup.polygons.add(face);
+  constexpr double few_faces = 2000;
+  auto result = PS::internal::wrap_pieces(std::move(soup), gap, few_faces);
+  CHECK(result.surface.faces.size() < 3 * few_faces);
+  return result;
+}
+
+void pieces_of_narrow_gaps()
+{
+  for (const double gap : {1e-9, 1e-3, 1e-2})
+  {
+    const auto number_of_shapes = [&](double distance)
+    { return coarsely_joined(two_boxes(distance), gap).surface.repairs.components; };
+    for (const double distance : {-.5, 0., gap / 2})
+      CHECK_EQUAL(number_of_shapes(distance), 1);
+    for (const double distance : {gap * 2, .2})
+      CHECK_EQUAL(number_of_shapes(distance), 2);
+  }
+  // two pairs of boxes, and another one in the first
+  const Test_mesh pair = two_boxes(.001), hidden = translated(scaled(box(), .1), {.4, .4, .4});
+  Test_mesh all = merged({pair, translated(pair, {0, 1.1, 0}), hidden});
+  all.add_face({all.add_point({-9, 0, 0}), all.add_point({0, -9, 0}), all.add_point({9, -18, 0})}); // without area
+  const auto shapes = coarsely_joined(all, 2e-3);
+  CHECK_EQUAL(shapes.surface.repairs.components, 2);
+  const std::vector<std::size_t> components = PS::internal::clusters_of_polygons(
+    shapes.surface.faces, shapes.surface.point_of_vertex);
+  const auto shape = [&](std::size_t polygon) { return components[shapes.surface.face_of_polygon[polygon]]; };
+  for (std::size_t i = 0; i < shapes.surface.face_of_polygon.size(); ++i)
+    CHECK_EQUAL(shape(i), shape(i >= 12 && i < 24 ? 12 : 0));
+  CHECK(shape(0) != shape(12));
+}
+
+// A long box of two pieces that meet in a plane: the surface is smooth there.
+void borders_are_where_pieces_meet()
+{
+  const Labels labels = segment(merged({scaled(box(), 3, 1, 1), translated(scaled(box(), 2, 1, 1), {3, 0, 0})}), 2);
+  const std::size_t size = box().faces.size();
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    CHECK_EQUAL(labels[i], labels[i < size ? 0 : size]);
+  CHECK(labels[0] != labels[size]);
 }
 
 // A ball with six arms, each a piece, and things inside.
@@ -144,7 +199,7 @@ void units_do_not_matter()
 void bad_input_is_refused()
 {
   Mesh mesh;
-  for (const double gap : {-1., 0., 1e-6, 100., std::numeric_limits<double>::quiet_NaN()})
+  for (const double gap : {-1., 0., 100., std::numeric_limits<double>::quiet_NaN()})
     CHECK_THROWS_WITH(joined(box(), mesh, gap), std::invalid_argument, "gap");
   Test_mesh line;
   line.points = {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
@@ -156,6 +211,8 @@ void bad_input_is_refused()
 int main()
 {
   pieces_that_are_near_are_one();
+  pieces_of_narrow_gaps();
+  borders_are_where_pieces_meet();
   parts_are_counted_and_not_pieces();
   orientations_do_not_matter();
   units_do_not_matter();

@@ -17,7 +17,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 using namespace test_meshes;
@@ -108,7 +110,7 @@ Test_mesh stack(int nx, int ny, int nz)
   return merged(cubes);
 }
 
-void check_solids(const Test_mesh& soup, std::vector<double> volumes)
+void check_solids(const Test_mesh& soup, std::vector<double> volumes, double tolerance = 1e-6)
 {
   const Found found = repaired(soup);
   CHECK_EQUAL(found.repairs.duplicate_polygons, 0);
@@ -123,7 +125,7 @@ void check_solids(const Test_mesh& soup, std::vector<double> volumes)
   }
   std::sort(of_found.begin(), of_found.end());
   for (std::size_t i = 0; i < (std::min)(volumes.size(), of_found.size()); ++i)
-    CHECK_CLOSE(of_found[i], volumes[i], 1e-6);
+    CHECK_CLOSE(of_found[i], volumes[i], tolerance);
 }
 
 void cubes_of_a_stack_are_solids()
@@ -221,8 +223,80 @@ void duplicates_are_left_out()
   }
 }
 
+// A tetrahedron of the six around the diagonal of a cube.
+Test_mesh sixth_of_cube(const std::array<std::size_t, 3>& axes)
+{
+  Test_mesh result;
+  Point corner = {0, 0, 0};
+  result.add_point(corner);
+  for (const std::size_t axis : axes)
+  {
+    corner[axis] = 1;
+    result.add_point(corner);
+  }
+  for (const Face& face : {Face{0, 2, 1}, Face{0, 1, 3}, Face{0, 3, 2}, Face{1, 2, 3}})
+    result.add_face(face);
+  return volume(result) < 0 ? with_reversed_orientation(result) : result;
+}
+
+// The cubes of a random walk, which touch at faces, edges and corners, or some of the tetrahedra in them.
+std::vector<Test_mesh> random_solids(Random& random)
+{
+  std::vector<Test_mesh> solids;
+  std::set<Point> cubes;
+  Point cube = {0, 0, 0};
+  const std::size_t number = 2 + random.index(6);
+  const int n = 1 + int(random.index(3));
+  const bool are_cubes = random.index(2) == 0;
+  while (cubes.size() < number)
+  {
+    std::array<std::size_t, 3> axes = {0, 1, 2};
+    if (!cubes.insert(cube).second)
+      ;
+    else if (are_cubes)
+      solids.push_back(translated(scaled(triangulated(box(n, n, n)), 1. / n), cube));
+    else
+      do
+        if (random.index(3) != 0)
+          solids.push_back(translated(sixth_of_cube(axes), cube));
+      while (std::next_permutation(axes.begin(), axes.end()));
+    for (double& x : cube)
+      x += double(random.index(3)) - 1;
+  }
+  return solids;
+}
+
+// Also if the corners of the triangles differ by a unit in the last place of single precision.
+void random_solids_that_touch()
+{
+  for (std::uint_fast32_t seed = 0; seed < 300; ++seed)
+  {
+    Random random(seed);
+    const std::vector<Test_mesh> solids = random_solids(random);
+    std::vector<double> volumes;
+    for (const Test_mesh& solid : solids)
+      volumes.push_back(volume(solid));
+    const Test_mesh soup = exploded(merged(solids));
+    const Test_mesh mixed = with_face_order(soup, random_permutation(soup.faces.size(), seed));
+    check_solids(mixed, volumes);
+    const float limits[] = {-1e9f, 0, 1e9f};
+    check_solids(transformed(translated(mixed, {1. / 3, 1. / 7, 1. / 9}),
+                             [&](Point p)
+                             {
+                               for (double& x : p)
+                                 if (const std::size_t i = random.index(3); i != 1)
+                                   x = double(std::nextafter(float(x), limits[i]));
+                                 else
+                                   x = double(float(x));
+                               return p;
+                             }),
+                 volumes, 1e-4);
+  }
+}
+
 int main()
 {
+  random_solids_that_touch();
   cubes_of_a_stack_are_solids();
   solids_may_be_turned_inside_out();
   solids_may_be_anywhere();

@@ -51,6 +51,9 @@ Input_mesh join_pieces(Polygon_soup soup, std::optional<double> gap);
 // The labels of the faces of the file from those of the faces of the mesh.
 std::vector<std::size_t> labels_of_file(const std::vector<std::size_t>& labels_of_mesh, const Input_mesh& input);
 
+// Of every face of the mesh: the piece that it is nearest to if loose pieces are joined, else 0.
+std::vector<std::size_t> patches_of_mesh(const Input_mesh& input);
+
 // In one line; empty if there was nothing to do.
 std::string describe_repairs(const Input_mesh& input);
 

@@ -60,6 +60,15 @@ Input_mesh join_pieces(Polygon_soup soup, std::optional<double> gap)
   return input;
 }
 
+std::vector<std::size_t> patches_of_mesh(const Input_mesh& input)
+{
+  std::vector<std::size_t> patches(input.mesh.number_of_faces(), 0);
+  if (input.has_joined_pieces())
+    std::transform(input.face_in_file.begin(), input.face_in_file.end(), patches.begin(),
+                   [&](std::size_t face) { return input.pieces[face]; });
+  return patches;
+}
+
 std::vector<std::size_t> labels_of_file(const std::vector<std::size_t>& labels_of_mesh,
                                         const Input_mesh& input)
 {

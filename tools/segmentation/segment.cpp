@@ -34,7 +34,8 @@ namespace
 namespace PS = CGAL::Protrusion_segmentation;
 
 // Any method with its distance. A further one is one more line in a table below.
-using Segment = std::function<std::size_t(const Mesh&, std::vector<std::size_t>&, const Segmentation_options&, Recorder&)>;
+using Segment = std::function<std::size_t(const Mesh&, const std::vector<std::size_t>&, std::vector<std::size_t>&,
+                                          const Segmentation_options&, Recorder&)>;
 
 PS::Landmark_geodesic_distance landmark_distance(const std::string& landmarks)
 {
@@ -59,11 +60,12 @@ struct Entry
 };
 
 template <typename Concurrency_tag, typename Method>
-std::size_t segment_by(const Method& method, const Mesh& mesh, std::vector<std::size_t>& segment_ids,
-                       const Segmentation_options& options, Recorder& record)
+std::size_t segment_by(const Method& method, const Mesh& mesh, const std::vector<std::size_t>& patches,
+                       std::vector<std::size_t>& segment_ids, const Segmentation_options& options, Recorder& record)
 {
   const auto ids = boost::make_iterator_property_map(segment_ids.begin(), get(boost::face_index, mesh));
-  const auto np = CGAL::parameters::random_seed(options.seed).visitor(std::ref(record));
+  const auto face_patches = boost::make_iterator_property_map(patches.begin(), get(boost::face_index, mesh));
+  const auto np = CGAL::parameters::random_seed(options.seed).visitor(std::ref(record)).face_patch_map(face_patches);
   if (options.tips)
   {
     std::vector<Face> tips;
@@ -81,17 +83,17 @@ std::size_t segment_by(const Method& method, const Mesh& mesh, std::vector<std::
 template <typename Method>
 Segment segment_by(const Method& method)
 {
-  return [method](const Mesh& mesh, std::vector<std::size_t>& segment_ids, const Segmentation_options& options,
-                  Recorder& record)
+  return [method](const Mesh& mesh, const std::vector<std::size_t>& patches, std::vector<std::size_t>& segment_ids,
+                  const Segmentation_options& options, Recorder& record)
   {
 #ifdef CGAL_LINKED_WITH_TBB
     if (options.threads > 1)
     {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, options.threads);
-      return segment_by<CGAL::Parallel_tag>(method, mesh, segment_ids, options, record);
+      return segment_by<CGAL::Parallel_tag>(method, mesh, patches, segment_ids, options, record);
     }
 #endif
-    return segment_by<CGAL::Sequential_tag>(method, mesh, segment_ids, options, record);
+    return segment_by<CGAL::Sequential_tag>(method, mesh, patches, segment_ids, options, record);
   };
 }
 
@@ -214,14 +216,17 @@ void check_options(const Segmentation_options& options)
 }
 
 Segmentation
-segment(const Mesh& mesh, const Segmentation_options& options, const Recorder::Progress& progress)
+segment(const Mesh& mesh,
+        const std::vector<std::size_t>& patches,
+        const Segmentation_options& options,
+        const Recorder::Progress& progress)
 {
   Segmentation result;
   result.record = Recorder(progress);
   result.segment_ids.resize(mesh.number_of_faces());
   const Segment run = make(options);
   const auto start = std::chrono::steady_clock::now();
-  result.number_of_segments = run(mesh, result.segment_ids, options, result.record);
+  result.number_of_segments = run(mesh, patches, result.segment_ids, options, result.record);
   if (options.hierarchy)
     join_segments(result, *options.number_of_segments);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -34,9 +34,12 @@ bool can_use_threads();
 // Throws std::invalid_argument if an option has a value that makes no sense.
 void check_options(const Segmentation_options& options);
 
-// Tips among the options are faces of the mesh here.
+// Tips among the options are faces of the mesh here; `patches` are those of the faces, as for `face_patch_map`.
 Segmentation
-segment(const Mesh& mesh, const Segmentation_options& options, const Recorder::Progress& progress);
+segment(const Mesh& mesh,
+        const std::vector<std::size_t>& patches,
+        const Segmentation_options& options,
+        const Recorder::Progress& progress);
 
 } // namespace tool
 

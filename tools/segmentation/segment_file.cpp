@@ -149,7 +149,7 @@ Findings segment_file(const std::string& input,
   Segmentation_options options_on_mesh = options;
   options_on_mesh.tips = tips_on_mesh(findings);
   findings.segmentation = options.labels.empty()
-                            ? segment(findings.mesh.mesh, options_on_mesh,
+                            ? segment(findings.mesh.mesh, patches_of_mesh(findings.mesh), options_on_mesh,
                                       [tell](double share, const std::string& stage, std::size_t protrusions)
                                       {
                                         tell(begin_of_segmentation + share * (end_of_segmentation - begin_of_segmentation),

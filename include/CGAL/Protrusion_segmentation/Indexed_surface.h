@@ -94,11 +94,13 @@ public:
                   std::vector<Index> corner_begin,
                   std::vector<Index> corner_vertices,
                   std::vector<Index> corner_neighbors,
-                  bool is_parallel)
+                  bool is_parallel,
+                  std::vector<Index> patches = {})
     : m_points(std::move(points)),
       m_corner_begin(std::move(corner_begin)),
       m_corner_vertices(std::move(corner_vertices)),
-      m_corner_neighbors(std::move(corner_neighbors))
+      m_corner_neighbors(std::move(corner_neighbors)),
+      m_patches(std::move(patches))
   {
     measure_faces(is_parallel);
   }
@@ -188,6 +190,10 @@ public:
   }
 
 #ifndef DOXYGEN_RUNNING
+  // what `face_patch_map` says, unless it says the same of all faces
+  bool has_patches() const { return !m_patches.empty(); }
+  Index patch(Index face) const { return m_patches[face]; }
+
   bool has_triangles_only() const
   {
     for (std::size_t f = 0; f + 1 < m_corner_begin.size(); ++f)
@@ -244,6 +250,7 @@ private:
   std::vector<Index> m_corner_begin = std::vector<Index>(1, 0);
   std::vector<Index> m_corner_vertices;
   std::vector<Index> m_corner_neighbors;
+  std::vector<Index> m_patches;     // of the faces, or none
   std::vector<Point_3> m_centroids; // unless all faces are triangles, of which they are found in no time
   std::vector<double> m_areas;
   double m_area = 0;

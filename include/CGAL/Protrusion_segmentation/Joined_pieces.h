@@ -59,6 +59,18 @@ struct Joined_pieces : Polygon_soup_correspondence<FaceGraph>
       of_faces, face_of_polygon, this->polygon_of_face, piece_of_polygon, area_of_polygon);
     return std::copy(result.begin(), result.end(), out);
   }
+
+  /// writes the piece that is nearest to every face, for the named parameter `face_patch_map` of
+  /// `CGAL::segmentation_via_protrusion_tips()`: then borders of segments are preferred where pieces meet.
+  /// \tparam FaceMap a model of `WritablePropertyMap` with `face_descriptor` as key type and an integer type as value type
+  /// \param pieces the output
+  template <typename FaceMap>
+  void pieces_of_faces(FaceMap pieces) const
+  {
+    using Piece = typename boost::property_traits<FaceMap>::value_type;
+    for (std::size_t i = 0; i < this->faces.size(); ++i)
+      put(pieces, this->faces[i], static_cast<Piece>(piece_of_polygon[this->polygon_of_face[i]]));
+  }
 };
 
 } // namespace CGAL::Protrusion_segmentation

@@ -35,9 +35,10 @@ back to the polygons.
 
 \param points the points
 \param polygons the corners of every polygon, as indices of `points`, in any orientation
-\param output the mesh to which vertices and faces are added: triangles, about a third of the gap long
-\param gap the distance up to which pieces are joined, from a thousandth of the diagonal of the bounding box on; nothing: a
-       fortieth of it. Openings that are narrower are closed, too.
+\param output the mesh to which vertices and faces are added: triangles, about a third of the gap long, about 150,000 at most
+\param gap the distance up to which pieces are joined, above 0 and at most the diagonal of the bounding box; nothing: a
+       fortieth of it. Openings that are narrower are closed, too; if the gap is less than about a hundredth, openings up to such a
+       share of a shape are closed, more if there are many shapes.
 \param np an optional sequence of \ref bgl_namedparameters "Named Parameters" for the points: `point_map`
 \param output_np an optional sequence of \ref bgl_namedparameters "Named Parameters" for `output`: `vertex_point_map`
 
@@ -46,8 +47,8 @@ back to the polygons.
 \throw std::invalid_argument if a coordinate of a corner is not finite, if a corner is no index of a point, if no polygon has an
        area, or if the gap is out of range; nothing is added to `output` then
 
-Complexity: the number of triangles grows with the square of the size over the gap; each takes logarithmic time in the number
-of polygons.
+Complexity: the number of triangles grows with the square of the size over the gap, up to that limit; each takes logarithmic
+time in the number of polygons. With a narrower gap, the pairs of triangles whose boxes are nearer than the gap are looked at.
 */
 template <typename PointRange,
           typename PolygonRange,

@@ -35,7 +35,7 @@ segmentation for a smaller number.
 \param pmesh the mesh. Faces may be any polygons; there may be borders and several components.
 \param maximum_number_of_segments the number of segments of the finest segmentation, from 1 to the number of faces; it
        has fewer if no more borders are found
-\param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed` and `visitor` as for
+\param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed`, `face_patch_map` and `visitor` as for
        `segmentation_via_protrusion_tips()`. With `edge_is_constrained_map`, the call does not compile.
 
 \return the hierarchy

@@ -42,7 +42,7 @@ quotient of its area and the number of tips that it would then have. Small compo
 \param number_of_tips the number of tips, from 0 to the number of faces
 \param tips the output for the faces at the tips, in the order of selection in each component; fewer than asked for if
        all remaining faces are at distance 0 from a tip
-\param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed` and `visitor` as for
+\param np an optional sequence of named parameters, among `vertex_point_map`, `random_seed`, `face_patch_map` and `visitor` as for
           `segmentation_via_protrusion_tips()`. With `edge_is_constrained_map`, the call does not compile.
 
 \return `tips`, advanced

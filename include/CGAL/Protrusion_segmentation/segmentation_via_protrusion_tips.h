@@ -76,6 +76,14 @@ kernel are rounded.
                    `boost::graph_traits<FaceGraph>::%edge_descriptor` as key type and `bool` as value type}
     \cgalParamDefault{not set}
   \cgalParamNEnd
+  \cgalParamNBegin{face_patch_map}
+    \cgalParamDescription{a number for each face, equal for the faces of a patch, such as a loose piece that
+                          `Protrusion_segmentation::join_pieces()` has joined to others. `Minimum_cut_method` prefers
+                          borders between patches; other methods do not use it.}
+    \cgalParamType{a class model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor`
+                   as key type and an integer type as value type}
+    \cgalParamDefault{the whole surface is one patch}
+  \cgalParamNEnd
   \cgalParamNBegin{visitor}
     \cgalParamDescription{is told of the progress and of what was found, and can stop the function. It is
                           copied unless it is passed by `std::ref()`.}

@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -77,6 +78,20 @@ typename boost::graph_traits<FaceGraph>::halfedge_descriptor first_halfedge(
   return first;
 }
 
+// The patches of the faces, numbered in order; none if there are fewer than two.
+template <typename FaceGraph, typename PatchMap>
+std::vector<Indexed_surface::Index> read_patches(const FaceGraph& mesh, PatchMap patch_map)
+{
+  std::vector<Indexed_surface::Index> patches;
+  std::map<typename boost::property_traits<PatchMap>::value_type, Indexed_surface::Index> numbers;
+  for (const auto f : faces(mesh))
+  {
+    const auto next = static_cast<Indexed_surface::Index>(numbers.size());
+    patches.push_back(numbers.emplace(get(patch_map, f), next).first->second);
+  }
+  return numbers.size() < 2 ? std::vector<Indexed_surface::Index>() : patches;
+}
+
 // Reads the index arrays of a mesh, in its coordinates: faces in the order of `faces(mesh)`. Linear time.
 template <typename FaceGraph, typename NamedParameters>
 Surface_arrays read_arrays(const FaceGraph& mesh, const NamedParameters& np)
@@ -118,6 +133,8 @@ Surface_arrays read_arrays(const FaceGraph& mesh, const NamedParameters& np)
     }
     arrays.corner_begin.push_back(static_cast<Index>(arrays.corner_vertices.size()));
   }
+  if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value)
+    arrays.patches = read_patches(mesh, get_parameter(np, internal_np::face_patch));
   return arrays;
 }
 

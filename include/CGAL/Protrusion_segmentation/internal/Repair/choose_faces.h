@@ -10,22 +10,21 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <numeric>
-#include <set>
 #include <stdexcept>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// The polygons that become faces, and the faces that label those that do not.
+// The polygons that become faces, and those that label their duplicates.
 struct Face_choice
 {
+  static constexpr std::size_t none() { return (std::numeric_limits<std::size_t>::max)(); }
+
   std::vector<std::size_t> kept;        // polygons, ascending
-  std::vector<std::size_t> label_giver; // of each polygon: a position in `kept`
+  std::vector<std::size_t> label_giver; // of each polygon: a position in `kept`, or none
   Polygons polygons;                    // those kept, without corners twice in a row
   std::vector<std::size_t> alike;  // for each kept one: the first with the same corners, of any surface
   std::vector<bool> has_duplicate; // for each kept one: is there another one with the same corners?
@@ -72,7 +71,7 @@ public:
   Face_choice choose()
   {
     find_duplicates();
-    m_choice.label_giver.assign(m_polygons.size(), none());
+    m_choice.label_giver.assign(m_polygons.size(), Face_choice::none());
     for (std::size_t i = 0; i < m_polygons.size(); ++i)
       add(i);
     for (std::size_t i = 0; i < m_polygons.size(); ++i)
@@ -80,17 +79,11 @@ public:
         m_choice.label_giver[i] = m_choice.label_giver[m_first_duplicate[i]];
     if (m_choice.kept.empty())
       throw std::invalid_argument("polygons: none has three different corners");
-    label_by_neighbors();
     return std::move(m_choice);
   }
 
 private:
   using Corners = std::vector<std::size_t>;
-
-  // More faces than that at one place are not asked for their label.
-  static constexpr std::size_t enough_neighbors = 64;
-
-  static constexpr std::size_t none() { return (std::numeric_limits<std::size_t>::max)(); }
 
   static std::size_t number_of_different(Corners corners)
   {
@@ -172,50 +165,6 @@ private:
     }
   }
 
-  void label_by_neighbors()
-  {
-    collect_neighbors();
-    for (std::size_t polygon = 0; polygon < m_polygons.size(); ++polygon)
-      if (m_choice.label_giver[polygon] == none())
-        m_choice.label_giver[polygon] = neighbor_of(polygon);
-  }
-
-  void collect_neighbors()
-  {
-    for (std::size_t polygon = 0; polygon < m_polygons.size(); ++polygon)
-      if (m_choice.label_giver[polygon] == none())
-        for (const std::size_t place : places_of(m_polygons[polygon], m_places))
-          m_faces_at[place];
-    for (std::size_t i = 0; i < m_choice.kept.size() && !m_faces_at.empty(); ++i)
-      for (const std::size_t corner : m_choice.polygons[i])
-        if (const auto found = m_faces_at.find(m_places[corner]);
-            found != m_faces_at.end() && found->second.size() < enough_neighbors)
-          found->second.push_back(i);
-  }
-
-  // The kept one that shares the most places, of several the first.
-  std::size_t neighbor_of(std::size_t polygon) const
-  {
-    const Corners all = places_of(m_polygons[polygon], m_places);
-    std::map<std::size_t, std::size_t> shared;
-    for (const std::size_t place : std::set<std::size_t>(all.begin(), all.end()))
-      for (const std::size_t kept : m_faces_at.at(place))
-        ++shared[kept];
-    std::pair<std::size_t, std::size_t> best = {none(), 0};
-    for (const auto& candidate : shared)
-      if (candidate.second > best.second)
-        best = candidate;
-    return best.first != none() ? best.first : kept_one_beside(polygon);
-  }
-
-  // The last kept one before this one, or the first of all.
-  std::size_t kept_one_beside(std::size_t polygon) const
-  {
-    const auto after = std::lower_bound(m_choice.kept.begin(), m_choice.kept.end(), polygon);
-    const std::size_t before = std::size_t(after - m_choice.kept.begin());
-    return before > 0 ? before - 1 : 0;
-  }
-
   const Polygons& m_polygons;
   const std::vector<std::size_t>& m_places;
   const std::vector<std::size_t>& m_surfaces;
@@ -223,14 +172,11 @@ private:
   std::vector<std::size_t> m_first_duplicate;
   std::vector<std::size_t> m_alike;
   std::vector<bool> m_has_duplicate;
-  // at the places of polygons that want a label
-  std::unordered_map<std::size_t, std::vector<std::size_t>> m_faces_at;
   Face_choice m_choice;
 };
 
 // Of polygons with the same corners and of the same surface the first one is kept and labels the others. A polygon that has
-// fewer than three corners is labelled by a neighbour: one that shares an edge with it, or a corner, or else the one before
-// it. So is a polygon with `is_left_out`. Throws if no polygon can be kept.
+// fewer than three corners is not kept, nor is one with `is_left_out`. Throws if no polygon can be kept.
 inline Face_choice choose_faces(const Polygons& polygons,
                                 const std::vector<std::size_t>& places,
                                 const std::vector<std::size_t>& surfaces,

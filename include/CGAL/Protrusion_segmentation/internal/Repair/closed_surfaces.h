@@ -80,7 +80,7 @@ inline std::vector<std::size_t> closed_surfaces(const Polygon_soup& soup,
   }
   std::vector<std::size_t> result;
   for (const std::size_t face : joined.choice.label_giver)
-    result.push_back(number[component[face]]);
+    result.push_back(face == Face_choice::none() ? open_surface : number[component[face]]);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Polygon_soup_repairs.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Edge_pairs.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Joined_faces.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/Neighbor_labels.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Radial_order.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/closed_surfaces.h>
@@ -218,14 +219,32 @@ inline std::unique_ptr<Joined_faces> join_and_sew(Polygon_soup& soup,
   return joined;
 }
 
-// Coordinates are finite and corners are points. Throws if no polygon has three different corners. Corners that are no farther
-// from each other than the tolerance are one, at borders; an automatic one if none is given.
-inline Manifold_surface manifold_surface(Polygon_soup soup,
-                                         std::optional<double> tolerance = std::nullopt)
+// The polygons by their corners, so that results do not depend on their order; those with the same corners stay in it.
+inline std::vector<std::size_t> order_by_corners(const Polygon_soup& soup)
+{
+  const std::vector<std::size_t> place_of = places(soup.points);
+  std::vector<std::pair<std::vector<std::size_t>, std::size_t>> polygons;
+  for (std::size_t i = 0; i < soup.polygons.size(); ++i)
+  {
+    polygons.emplace_back(places_of(soup.polygons[i], place_of), i);
+    std::sort(polygons.back().first.begin(), polygons.back().first.end());
+  }
+  std::sort(polygons.begin(), polygons.end());
+  std::vector<std::size_t> result;
+  for (const auto& [corners, i] : polygons)
+    result.push_back(i);
+  return result;
+}
+
+// Of polygons in an order that their corners alone decide. Polygons that are no faces get none, unless they are duplicates.
+// `place_of` becomes the place of each point.
+inline Manifold_surface surface_of_ordered(Polygon_soup soup,
+                                           std::optional<double> tolerance,
+                                           std::vector<std::size_t>& place_of)
 {
   Manifold_surface surface;
   Polygon_soup_repairs& repairs = surface.repairs;
-  std::vector<std::size_t> place_of = places(soup.points), surfaces;
+  std::vector<std::size_t> surfaces;
   const int exponent = scale_to_unit(soup);
   auto joined = join_and_sew(
     soup, tolerance ? std::ldexp(*tolerance, -exponent) : automatic_tolerance(corners_of(soup)), place_of,
@@ -245,6 +264,40 @@ inline Manifold_surface manifold_surface(Polygon_soup soup,
   surface.polygon_of_face = std::move(joined->choice.kept);
   surface.face_of_polygon = std::move(joined->choice.label_giver);
   return surface;
+}
+
+// Coordinates are finite and corners are points. Throws if no polygon has three different corners. Corners that are no farther
+// from each other than the tolerance are one, at borders; an automatic one if none is given.
+inline Manifold_surface manifold_surface(const Polygon_soup& soup,
+                                         std::optional<double> tolerance = std::nullopt)
+{
+  const std::vector<std::size_t> order = order_by_corners(soup);
+  Polygon_soup ordered = {soup.points, {}};
+  for (const std::size_t i : order)
+    ordered.polygons.add(soup.polygons[i]);
+  std::vector<std::size_t> place_of = places(soup.points);
+  const Manifold_surface found = surface_of_ordered(std::move(ordered), tolerance, place_of);
+  // back to the order of the polygons
+  std::vector<std::pair<std::size_t, std::size_t>> faces; // polygon, face
+  for (std::size_t f = 0; f < found.faces.size(); ++f)
+    faces.emplace_back(order[found.polygon_of_face[f]], f);
+  std::sort(faces.begin(), faces.end());
+  Manifold_surface result;
+  result.point_of_vertex = found.point_of_vertex;
+  result.repairs = found.repairs;
+  std::vector<std::size_t> new_face(faces.size());
+  for (const auto& [polygon, f] : faces)
+  {
+    new_face[f] = result.faces.size();
+    result.faces.add(found.faces[f]);
+    result.polygon_of_face.push_back(polygon);
+  }
+  result.face_of_polygon.resize(order.size(), Face_choice::none());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    if (const std::size_t f = found.face_of_polygon[i]; f != Face_choice::none())
+      result.face_of_polygon[order[i]] = new_face[f];
+  Neighbor_labels(soup.polygons, place_of, result.polygon_of_face).complete(result.face_of_polygon);
+  return result;
 }
 
 } // namespace CGAL::Protrusion_segmentation::internal

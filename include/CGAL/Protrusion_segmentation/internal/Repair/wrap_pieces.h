@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// One surface around loose pieces, and labels of the pieces from labels of that surface.
+// Surfaces around loose pieces that are near to each other.
 
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_WRAP_PIECES_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_WRAP_PIECES_H
@@ -10,11 +10,11 @@
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Radial_order.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/manifold_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/near_pieces.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/nested_components.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
 
@@ -22,11 +22,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <numeric>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -55,88 +58,233 @@ inline Surface_arrays arrays_of(const std::vector<Polygon_soup::Point_3>& points
   return arrays;
 }
 
-// For each polygon of the first surface the nearest one of the second.
-inline std::vector<std::size_t> nearest_polygons(const Surface_arrays& from, const Surface_arrays& to)
+// Wraps shapes one by one, in a soup of unit size. Surfaces may overlap where shapes are near to each other.
+class Shape_wrapper
 {
-  std::vector<Surface_arrays::Index> all(to.number_of_faces());
-  std::iota(all.begin(), all.end(), Surface_arrays::Index(0));
-  const Solid solid(to, all);
-  std::vector<std::size_t> result;
-  for (Surface_arrays::Index f = 0; f < from.number_of_faces(); ++f)
+public:
+  // The arguments must outlive the object.
+  Shape_wrapper(const Polygon_soup& soup, Wrapped_pieces& result)
+    : m_soup(soup),
+      m_arrays(arrays_of(soup.points, soup.polygons)),
+      m_result(result)
   {
-    const Corners_of_face<Surface_arrays> corners = {from, f};
-    result.push_back(corners.size() == 0 ? 0 : solid.nearest_face(measure_polygon(corners).centroid));
+    result.surface.face_of_polygon.resize(soup.polygons.size(), 0);
   }
-  return result;
-}
 
-// Wraps the polygons of a soup of unit size, so that what is nearer than the gap becomes one.
-inline void wrap(const Polygon_soup& soup, double gap, Wrapped_pieces& result)
-{
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  // A ball that fits into a gap of that width, between the surfaces at a distance from the polygons, can pass.
-  constexpr double radius_to_gap = 0.4, distance_to_gap = 0.1;
-  std::vector<Kernel::Point_3> points;
-  for (const Polygon_soup::Point_3& p : soup.points)
-    points.emplace_back(p.x(), p.y(), p.z());
-  std::vector<std::array<std::size_t, 3>> triangles;
-  for (std::size_t i = 0; i < soup.polygons.size(); ++i)
-    for (std::size_t c = 2; c < soup.polygons[i].size(); ++c)
-    {
-      const auto corner = soup.polygons[i].begin();
-      const std::array<std::size_t, 3> triangle = {corner[0], corner[std::ptrdiff_t(c) - 1],
-                                                   corner[std::ptrdiff_t(c)]};
-      if (!collinear(points[triangle[0]], points[triangle[1]], points[triangle[2]]))
-        triangles.push_back(triangle);
-    }
-  if (triangles.empty())
-    throw std::invalid_argument("polygons: none has an area");
-  Surface_mesh<Kernel::Point_3> mesh;
-  alpha_wrap_3(points, triangles, radius_to_gap * gap, distance_to_gap * gap, mesh);
-  for (const auto v : mesh.vertices())
-    result.points.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
-  for (const auto f : mesh.faces())
+  // Makes one of what is nearer than the width. What lies inside a shape before gets no surface.
+  void add(const std::vector<std::size_t>& polygons, double width)
   {
-    std::vector<std::size_t> face;
-    for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
-      face.push_back(std::size_t(v));
-    result.surface.faces.add(face);
+    std::vector<std::array<std::size_t, 3>> triangles;
+    for (const std::size_t i : polygons)
+      for_each_triangle(m_soup, i,
+                        [&](std::size_t a, std::size_t b, std::size_t c) {
+                          triangles.push_back({a, b, c});
+                        });
+    const Shape* shape = shape_around(polygons);
+    if (!shape && triangles.empty())
+      shape = m_shapes.empty() ? nullptr : &m_shapes.front();
+    else if (!shape)
+      shape = &wrap(polygons, std::move(triangles), width);
+    if (!shape)
+      throw std::invalid_argument("polygons: none has an area");
+    for (const std::size_t i : polygons)
+      if (!m_soup.polygons[i].empty())
+        m_result.surface.face_of_polygon[i] = shape->first_face +
+                                              shape->solid.nearest_face(centroid(m_arrays, Index(i)));
   }
-}
+
+private:
+  using Index = Surface_arrays::Index;
+  using Kernel = Soup_kernel;
+
+  struct Shape
+  {
+    Shape(const Surface_arrays& surface, std::size_t first_face)
+      : first_face(first_face),
+        solid(surface, all_faces(surface))
+    {
+      for (const Polygon_soup::Point_3& p : surface.points)
+        box += p.bbox();
+    }
+    bool has_inside(const Polygon_soup::Point_3& p) const
+    {
+      return do_overlap(box, p.bbox()) && solid.side(p) == ON_BOUNDED_SIDE;
+    }
+    std::size_t first_face;
+    Solid solid;
+    Bbox_3 box;
+  };
+
+  static std::vector<Index> all_faces(const Surface_arrays& surface)
+  {
+    std::vector<Index> faces(surface.number_of_faces());
+    std::iota(faces.begin(), faces.end(), Index(0));
+    return faces;
+  }
+
+  static Polygon_soup::Point_3 centroid(const Surface_arrays& surface, Index face)
+  {
+    return measure_polygon(Corners_of_face<Surface_arrays>{surface, face}).centroid;
+  }
+
+  const Shape* shape_around(const std::vector<std::size_t>& polygons) const
+  {
+    const auto is_inside = [&](const Shape& shape)
+    {
+      for (const std::size_t i : polygons)
+        for (const std::size_t corner : m_soup.polygons[i])
+          if (!shape.has_inside(m_soup.points[corner]))
+            return false;
+      return true;
+    };
+    const auto found = std::find_if(m_shapes.begin(), m_shapes.end(), is_inside);
+    return found == m_shapes.end() ? nullptr : &*found;
+  }
+
+  const Shape& wrap(const std::vector<std::size_t>& polygons,
+                    std::vector<std::array<std::size_t, 3>> triangles,
+                    double width)
+  {
+    // A ball that fits into a gap of that width, between the surfaces at a distance from the polygons, can pass.
+    constexpr double radius_to_width = 0.4, distance_to_width = 0.1;
+    std::vector<Kernel::Point_3> points; // of this shape alone
+    std::unordered_map<std::size_t, std::size_t> numbers;
+    for (std::array<std::size_t, 3>& triangle : triangles)
+      for (std::size_t& corner : triangle)
+      {
+        const auto [number, is_new] = numbers.emplace(corner, points.size());
+        const Polygon_soup::Point_3& p = m_soup.points[corner];
+        if (is_new)
+          points.emplace_back(p.x(), p.y(), p.z());
+        corner = number->second;
+      }
+    Surface_mesh<Kernel::Point_3> mesh;
+    alpha_wrap_3(points, triangles, radius_to_width * width, distance_to_width * width, mesh);
+    return add_surface(mesh, polygons);
+  }
+
+  const Shape& add_surface(const Surface_mesh<Kernel::Point_3>& mesh,
+                           const std::vector<std::size_t>& polygons)
+  {
+    const std::size_t first_point = m_result.points.size(), first_face = m_result.surface.faces.size();
+    Surface_arrays surface;
+    for (const auto v : mesh.vertices())
+      surface.points.emplace_back(mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
+    m_result.points.insert(m_result.points.end(), surface.points.begin(), surface.points.end());
+    for (const auto f : mesh.faces())
+    {
+      std::vector<std::size_t> face;
+      for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+      {
+        face.push_back(first_point + std::size_t(v));
+        surface.corner_vertices.push_back(Index(v));
+      }
+      surface.corner_begin.push_back(static_cast<Index>(surface.corner_vertices.size()));
+      m_result.surface.faces.add(face);
+    }
+    const Solid pieces(m_arrays, std::vector<Index>(polygons.begin(), polygons.end()));
+    for (Index f = 0; f < surface.number_of_faces(); ++f)
+      m_result.surface.polygon_of_face.push_back(pieces.nearest_face(centroid(surface, f)));
+    return m_shapes.emplace_back(surface, first_face);
+  }
+
+  const Polygon_soup& m_soup;
+  Surface_arrays m_arrays;
+  Wrapped_pieces& m_result;
+  std::deque<Shape> m_shapes;
+};
 
 inline double checked_gap(std::optional<double> gap, double size)
 {
-  constexpr double share_of_size = 0.025, least_share = 1e-3; // with less there are millions of faces
+  constexpr double share_of_size = 0.025;
   if (!gap)
     return share_of_size * size;
-  if (!(*gap >= least_share * size && *gap <= size))
+  if (!(*gap > 0 && *gap <= size))
     throw std::invalid_argument("gap: " + std::to_string(*gap) +
-                                " is not between a thousandth of the size of the mesh and all of it");
+                                " is not between 0 and the size of the mesh");
   return *gap;
 }
 
-// One surface around all that is nearer to each other than the gap; an automatic one if none is given.
-inline Wrapped_pieces wrap_pieces(Polygon_soup soup, std::optional<double> gap)
+template <typename Range>
+double size_of(const Range& points)
+{
+  Bbox_3 box;
+  for (const Polygon_soup::Point_3& p : points)
+    box += p.bbox();
+  return std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
+}
+
+// The width of openings that are closed, so that a number of shapes of a size has not too many faces.
+inline double least_width(double size, std::size_t number_of_shapes, double most_faces)
+{
+  // measured: of a surface around a creature or a machine whose openings are as wide as it is large, if it had the same
+  // number of faces in each square of that width as with a fortieth
+  constexpr double faces_of_size = 14;
+  return size * std::sqrt(faces_of_size * double(number_of_shapes) / most_faces);
+}
+
+// Wraps the pieces of a soup of unit size. If the gap is so narrow that the surface would have too many faces, the pieces that
+// are nearer than it are found by their distances, and the shapes that they make up are wrapped one by one.
+inline void wrap_shapes(
+  const Polygon_soup& soup, double size, double gap, double most_faces, Wrapped_pieces& result)
+{
+  std::vector<std::vector<std::size_t>> shapes(1);
+  if (gap < least_width(size, 1, most_faces))
+    shapes = shapes_of_pieces(soup, result.piece_of_polygon, gap);
+  else
+  {
+    shapes.front().resize(soup.polygons.size());
+    std::iota(shapes.front().begin(), shapes.front().end(), std::size_t(0));
+  }
+  // those that have an area first, and the largest of them: others may lie inside
+  std::vector<std::tuple<bool, double, std::size_t>> order;
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+  {
+    std::vector<Polygon_soup::Point_3> points;
+    bool is_degenerate = true;
+    for (const std::size_t i : shapes[s])
+    {
+      for (const std::size_t corner : soup.polygons[i])
+        points.push_back(soup.points[corner]);
+      for_each_triangle(soup, i, [&](std::size_t, std::size_t, std::size_t) { is_degenerate = false; });
+    }
+    order.emplace_back(is_degenerate, -size_of(points), s);
+  }
+  std::sort(order.begin(), order.end());
+  Shape_wrapper wrapper(soup, result);
+  for (const auto& [is_degenerate, negative_size, s] : order)
+    wrapper.add(shapes[s], (std::max)(gap, least_width(-negative_size, shapes.size(), most_faces)));
+}
+
+// For each polygon a name of its component: closed solids that touch are components of their own.
+inline std::vector<std::size_t> pieces_of_polygons(const Polygon_soup& soup)
+{
+  const Manifold_surface surface = manifold_surface(soup);
+  std::vector<std::size_t> vertices(surface.point_of_vertex.size());
+  std::iota(vertices.begin(), vertices.end(), std::size_t(0));
+  const std::vector<std::size_t> components = clusters_of_polygons(surface.faces, vertices);
+  std::vector<std::size_t> result;
+  for (const std::size_t face : surface.face_of_polygon)
+    result.push_back(components[face]);
+  return result;
+}
+
+// Surfaces around all that is nearer to each other than the gap; an automatic one if none is given. They have about that many
+// faces at most; that many take a quarter of a minute.
+inline Wrapped_pieces wrap_pieces(Polygon_soup soup, std::optional<double> gap, double most_faces = 150000)
 {
   Wrapped_pieces result;
-  result.piece_of_polygon = clusters_of_polygons(soup.polygons, places(soup.points));
+  result.piece_of_polygon = pieces_of_polygons(soup);
   const int exponent = scale_to_unit(soup);
   for (std::size_t i = 0; i < soup.polygons.size(); ++i)
     result.area_of_polygon.push_back(
       soup.polygons[i].empty() ? 0
                                : std::sqrt(area_vector(soup.points, soup.polygons[i]).squared_length()));
-  Bbox_3 box;
-  for (const Polygon_soup::Point_3& p : corners_of(soup))
-    box += p.bbox();
-  const double size = std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) +
-                                CGAL::square(box.z_span()));
-  wrap(soup, std::ldexp(checked_gap(gap, std::ldexp(size, exponent)), -exponent), result);
+  const double size = size_of(corners_of(soup));
+  wrap_shapes(soup, size, std::ldexp(checked_gap(gap, std::ldexp(size, exponent)), -exponent), most_faces,
+              result);
 
   Manifold_surface& surface = result.surface;
-  const Surface_arrays from = arrays_of(soup.points, soup.polygons),
-                       to = arrays_of(result.points, surface.faces);
-  surface.face_of_polygon = nearest_polygons(from, to);
-  surface.polygon_of_face = nearest_polygons(to, from);
   surface.point_of_vertex.resize(result.points.size());
   std::iota(surface.point_of_vertex.begin(), surface.point_of_vertex.end(), std::size_t(0));
   const std::vector<std::size_t> components = clusters_of_polygons(surface.faces,

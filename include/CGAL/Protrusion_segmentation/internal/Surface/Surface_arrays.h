@@ -21,6 +21,7 @@ struct Surface_arrays
   std::vector<Index> corner_begin = std::vector<Index>(1, 0);
   std::vector<Index> corner_vertices;
   std::vector<Index> corner_neighbors;
+  std::vector<Index> patches; // of the faces, or none
 
   Index number_of_faces() const { return static_cast<Index>(corner_begin.size() - 1); }
   Index number_of_vertices() const { return static_cast<Index>(points.size()); }
@@ -28,12 +29,14 @@ struct Surface_arrays
   Index first_corner(Index face) const { return corner_begin[face]; }
   Index vertex(Index corner) const { return corner_vertices[corner]; }
   Index neighbor(Index corner) const { return corner_neighbors[corner]; }
+  bool has_patches() const { return !patches.empty(); }
+  Index patch(Index face) const { return patches[face]; }
 
   // leaves the arrays empty
   Indexed_surface to_surface(bool is_parallel = false) &&
   {
     return Indexed_surface(std::move(points), std::move(corner_begin), std::move(corner_vertices),
-                           std::move(corner_neighbors), is_parallel);
+                           std::move(corner_neighbors), is_parallel, std::move(patches));
   }
 };
 

@@ -39,6 +39,9 @@ public:
     number_corners(faces, result);
     select_neighbors(faces, result);
     select_vertices(faces, result);
+    if (m_surface.has_patches())
+      for (Index f : faces)
+        result.patches.push_back(m_surface.patch(f));
     for (Index f : faces)
       m_new_face[f] = none;
     return result;

@@ -163,7 +163,7 @@ public:
                     [&](Index f)
                     {
                       for (Index arc : graph.arcs(f))
-                        weigh(graph, arc, graph.outward * angle(f, graph.target[arc], normals));
+                        weigh(graph, arc, curvature(graph, f, arc, normals));
                     });
   }
 
@@ -178,12 +178,24 @@ private:
     return turn * (m_surface.centroid(g) - m_surface.centroid(f)) < 0 ? size : -size;
   }
 
-  void weigh(Seam_graph& graph, Index arc, double angle) const
+  // Of an arc, positive where concave. Where two patches meet there is a seam, and less of one inside a patch.
+  double curvature(const Seam_graph& graph, Index f, Index arc, const Triples& normals) const
   {
     constexpr double largest_curvature = 60; // beyond it, a radius of 1/60, is tessellation
-    constexpr double seam_curvature = 2;     // from which on an edge lies in a seam: a radius of 1/2
+    constexpr double curvature_between_patches = 15, share_in_patch = 0.5; // decisions.md, "Contacts"
+    const Index g = graph.target[arc];
+    const double angle = graph.outward * this->angle(f, g, normals);
     const double strength = (std::min)(largest_curvature, std::abs(angle) / graph.length[arc]);
     const double curvature = angle > 0 ? strength : -strength;
+    if (!m_surface.has_patches())
+      return curvature;
+    return m_surface.patch(f) == m_surface.patch(g) ? share_in_patch * curvature
+                                                    : (std::max)(curvature, curvature_between_patches);
+  }
+
+  void weigh(Seam_graph& graph, Index arc, double curvature) const
+  {
+    constexpr double seam_curvature = 2;     // from which on an edge lies in a seam: a radius of 1/2
     graph.curvature[arc] = static_cast<float>(curvature);
     graph.concave_length[arc] = curvature > seam_curvature ? graph.border_length[arc] : 0;
     graph.capacity[arc] = static_cast<float>(m_options.cost(graph.border_length[arc], curvature));
