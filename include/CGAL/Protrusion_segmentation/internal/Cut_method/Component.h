@@ -76,12 +76,12 @@ public:
   std::size_t automatic_number()
   {
     const std::size_t number = automatic_number_of_segments(
-      [this](std::size_t number) -> std::optional<double>
+      [this](std::size_t n) -> std::optional<double>
       {
-        const Next_segment progress(m_execution, number, std::nullopt);
-        if (!m_beam.best_protrusions(number + 1))
+        const Next_segment progress(m_execution, n, std::nullopt);
+        if (!m_beam.best_protrusions(n + 1))
           return std::nullopt;
-        return m_beam.gain(number + 1);
+        return m_beam.gain(n + 1);
       },
       m_options);
     const std::vector<Cut_set::Made_cut>& cuts = m_beam.best(number)->cuts;
