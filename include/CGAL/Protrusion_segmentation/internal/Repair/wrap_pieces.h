@@ -99,8 +99,8 @@ private:
 
   struct Shape
   {
-    Shape(const Surface_arrays& surface, std::size_t first_face)
-      : first_face(first_face),
+    Shape(const Surface_arrays& surface, std::size_t first)
+      : first_face(first),
         solid(surface, all_faces(surface))
     {
       for (const Polygon_soup::Point_3& p : surface.points)
