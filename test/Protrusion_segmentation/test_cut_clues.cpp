@@ -194,23 +194,6 @@ void a_bump_is_no_shoulder()
   CHECK_CLOSE(with_bump.smaller_shoulder, 0, precision);
 }
 
-// The last arm of a cross is seen to stick out after the others have been cut off; the core is no wider for them.
-void earlier_cuts_keep_the_shoulder()
-{
-  Cubes cubes;
-  add_cubes(cubes, {-12, -2, -2}, {12, 2, 2});
-  add_cubes(cubes, {-2, -12, -2}, {2, 12, 2});
-  add_cubes(cubes, {-3, -3, -2}, {3, 3, 2});
-  const auto arm = [](const Point& p) { return p[0] > 3.1; };
-  const Cut_clues whole = Cut_mesh(voxels(cubes)).clues(arm);
-  Cut_mesh cross(voxels(cubes));
-  cross.cut_off([](const Point& p) { return p[1] > 3.1; });
-  cross.cut_off([](const Point& p) { return p[1] < -3.1; });
-  const Cut_clues last = cross.clues(arm);
-  CHECK_CLOSE(last.larger_shoulder, whole.larger_shoulder, precision);
-  CHECK(last.larger_widening < whole.larger_widening);
-}
-
 // A trough is cut from border to border: its opening is that of the cut, wherever the trough lies.
 void a_trough_may_lie_anywhere()
 {
@@ -320,7 +303,6 @@ int main()
   a_dumbbell();
   a_rod_on_a_plate();
   a_bump_is_no_shoulder();
-  earlier_cuts_keep_the_shoulder();
   a_trough_may_lie_anywhere();
   a_low_block_is_flat();
   pockets_go_in();

@@ -28,9 +28,6 @@ struct Cut_strip
 
 // Measures the strips beside cuts. Where the surface widens, a strip is larger than its length and width say: the sudden
 // widening that the paper looks for in its histograms.
-//
-// The shoulder is one of the surface: its strip crosses earlier borders. Otherwise it would be lost beside the last of
-// several equal limbs. The widening is one of the segment: what limbs add to it is no sign of a border.
 class Strip_measurer
 {
 public:
@@ -61,9 +58,9 @@ public:
     const double width = strip_width * std::sqrt(bisection.smaller_area());
     const Graph_partition& partition = bisection.partition();
     const Nodes_by_distance near = m_distances(
-      along_cut, [&](Index, Index to) { return !partition.is_on_side(to, !inner); }, m_graph.lengths(),
+      along_cut, [&](Index, Index to) { return partition.is_on_side(to, inner); }, m_graph.lengths(),
       width + m_largest_size / 2);
-    double area_of_segment = 0, area = 0;
+    double area = 0;
     Vector_3 area_vector(0, 0, 0);
     for (std::size_t i = 0; i < near.nodes.size(); ++i)
     {
@@ -71,12 +68,10 @@ public:
       const double share = share_of_strip(width - near.distances[i], m_graph.area[node]);
       area += share * m_graph.area[node];
       area_vector += share * m_graph.area_vector[node];
-      if (partition.is_selected(node))
-        area_of_segment += share * m_graph.area[node];
     }
-    const auto widening = [&](double a) { return (std::max)(least_widening, a / (cut.length * width)); };
-    return {std::log(widening(area_of_segment)),
-            cut.share_of_sheet * flat_shoulder(widening(area), width, cut.length) +
+    const double widening = (std::max)(least_widening, area / (cut.length * width));
+    return {std::log(widening),
+            cut.share_of_sheet * flat_shoulder(widening, width, cut.length) +
               (1 - cut.share_of_sheet) * shoulder(area_vector, area, inner, cut.opening)};
   }
 
@@ -217,7 +212,7 @@ private:
   {
     Nodes along_cut = along_inside;
     along_cut.insert(along_cut.end(), along_outside.begin(), along_outside.end());
-    return !m_bisection.partition().are_connected(along_cut);
+    return !m_bisection.partition().are_connected_nearby(along_cut);
   }
 
   const Volume_graph& m_graph;

@@ -126,7 +126,7 @@ public:
 
   // Whether some nodes, at least one, are connected over each other and their neighbors. Triangles around a vertex need
   // these: not all of them share edges with each other.
-  bool are_connected(const Nodes& nodes)
+  bool are_connected_nearby(const Nodes& nodes)
   {
     const std::uint32_t in_set = m_stamp + 1;
     m_stamp += 2;
