@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "dual_graphs.h"
+#include "node_sets.h"
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
@@ -58,7 +59,7 @@ void connected_nodes_stay_on_their_side(unsigned int seed)
   Nodes connected = partition.connected_nodes(Index(random.index(nodes.size())),
                                               [&](Index i) { return may_be_in[i]; });
   std::sort(connected.begin(), connected.end());
-  CHECK(partition.are_connected(connected));
+  CHECK(are_connected(partition, connected));
   const Nodes inner = partition.connect_sides(nodes, connected);
   CHECK(std::includes(inner.begin(), inner.end(), connected.begin(), connected.end()));
   CHECK(partition.marked(nodes) == inner);

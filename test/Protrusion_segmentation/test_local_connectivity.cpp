@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "dual_graphs.h"
+#include "node_sets.h"
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
@@ -44,13 +45,6 @@ void mark_disc(Graph_partition& partition, Index seed, std::size_t size)
     partition.set_inner(order[k], k < size);
 }
 
-// Whether the nodes of a side are connected with each other.
-bool is_one_piece(Graph_partition& partition, const Nodes& nodes, bool inner)
-{
-  return partition.connected_nodes(nodes.front(), [&](Index j) { return partition.is_on_side(j, inner); }).size() ==
-         nodes.size();
-}
-
 void agrees_with_a_walk_over_all(const Test_mesh& mesh)
 {
   const Seam_graph graph = seam_graph(mesh);
@@ -62,7 +56,7 @@ void agrees_with_a_walk_over_all(const Test_mesh& mesh)
   for (int i = 0; i < 400; ++i)
   {
     mark_disc(partition, Index(random.index(n)), 1 + random.index(n - 1));
-    if (!is_one_piece(partition, side(partition, false), false))
+    if (!are_connected(partition, side(partition, false)))
       continue; // was not connected before
     Nodes changed;
     const std::size_t number = 1 + random.index(i % 2 == 0 ? 4 : n / 3);
@@ -76,7 +70,7 @@ void agrees_with_a_walk_over_all(const Test_mesh& mesh)
     for (const bool inner : {true, false})
     {
       const Nodes nodes = side(partition, inner);
-      const bool is_connected = !nodes.empty() && is_one_piece(partition, nodes, inner);
+      const bool is_connected = !nodes.empty() && are_connected(partition, nodes);
       const bool is_seen = connectivity.is_connected(inner, changed);
       CHECK(is_connected || !is_seen);
       connected += is_connected;

@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "dual_graphs.h"
+#include "node_sets.h"
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
@@ -101,7 +102,7 @@ void cuts_are_valid(const Test_mesh& mesh)
   {
     const Nodes outer = internal::other_side(of_mesh.whole, cut.inner);
     CHECK(!cut.inner.empty() && !outer.empty());
-    CHECK(partition.are_connected(cut.inner) && partition.are_connected(outer));
+    CHECK(are_connected(partition, cut.inner) && are_connected(partition, outer));
     CHECK(internal::is_large_enough(graph.area_of(cut.inner), 1));
     CHECK(std::find(sides.begin(), sides.end(), cut.inner) == sides.end());
     CHECK(cut.probability > 0 && cut.probability < 1);
