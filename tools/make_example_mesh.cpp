@@ -20,18 +20,11 @@
 
 #include <cstddef>
 #include <iostream>
-#include <map>
 #include <string>
-
-using example_shapes::Shape;
 
 int main(int argc, char** argv)
 {
-  const std::map<std::string, Shape (*)()> shapes = {
-      {"octopus", example_shapes::octopus}, {"teddy", example_shapes::teddy},
-      {"hand", example_shapes::hand},       {"horse", example_shapes::horse},
-      {"chair", example_shapes::chair}};
-
+  const auto& shapes = example_shapes::shapes();
   std::string name, file;
   std::size_t faces = 24000;
   CLI::App app("Makes a mesh to try a segmentation on.", "make_example_mesh");

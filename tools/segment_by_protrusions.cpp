@@ -12,6 +12,7 @@
 #include "command_line/read_tips.h"
 #include "command_line/segment_options.h"
 #include "command_line/tool_main.h"
+#include "segmentation/name_segments.h"
 #include "segmentation/segment_file.h"
 #include "segmentation/write_findings.h"
 #include "writing/outputs.h"
@@ -81,37 +82,6 @@ void print_summary(const tool::Command_line& command_line, const tool::Findings&
       std::cout << "wrote " << name << "\n";
 }
 
-// The name of a picked tip whose protrusion was not found is not that of the body.
-bool is_tip_in_body(const tool::Findings& findings, std::size_t face, std::size_t segment)
-{
-  if (!findings.options.tips)
-    return false;
-  const auto& tips = *findings.options.tips;
-  const auto& protrusions = findings.segmentation.record.protrusions();
-  return std::find(tips.begin(), tips.end(), face) != tips.end() &&
-         std::none_of(protrusions.begin(), protrusions.end(),
-                      [&](const tool::Protrusion& protrusion) { return protrusion.segment == segment; });
-}
-
-void name_segments(tool::Findings& findings, const std::string& file)
-{
-  findings.names.resize(findings.segmentation.number_of_segments);
-  const std::vector<std::size_t> segment_of_face = tool::labels_of_file(findings.segmentation.segment_ids,
-                                                                        findings.mesh);
-  for (const tool::Named_segment& named : tool::read_names(file))
-  {
-    if (named.face && *named.face >= segment_of_face.size())
-      throw tool::Error(file, "names the segment of face " + std::to_string(*named.face) +
-                                ", but there are " + std::to_string(segment_of_face.size()) + " faces");
-    const std::size_t segment = named.face ? segment_of_face[*named.face] : *named.segment;
-    if (segment >= findings.names.size())
-      throw tool::Error(file, "names segment " + std::to_string(segment) + ", but there are " +
-                                std::to_string(findings.names.size()));
-    if (!named.face || !is_tip_in_body(findings, *named.face, segment))
-      findings.names[segment] = named.name;
-  }
-}
-
 // To read it takes so long that it is told at once.
 bool is_large(const std::string& file)
 {
@@ -145,7 +115,7 @@ void segment_one(const tool::Command_line& command_line)
                                                { tell(command_line, warning); });
   if (const std::string& file = command_line.names.empty() ? command_line.tips : command_line.names;
       !file.empty())
-    name_segments(findings, file);
+    tool::name_segments(findings, file);
   tool::write_findings(findings, names, show);
   bar.clear();
   if (!command_line.is_quiet)

@@ -2,7 +2,7 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The shapes of make_example_mesh.cpp.
+// The shapes of make_example_mesh.cpp and of the page in web/.
 
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_EXAMPLE_MESHES_SHAPES_H
 #define PROTRUSION_SEGMENTATION_TOOLS_EXAMPLE_MESHES_SHAPES_H
@@ -10,6 +10,8 @@
 #include "example_meshes/Shape.h"
 
 #include <cmath>
+#include <map>
+#include <string>
 
 namespace example_shapes
 {
@@ -91,6 +93,14 @@ inline Shape chair()
   shape.add_pair({{{-0.95, 0.9, 0}, 0.15}, {{-1.05, 0.95, -1.0}, 0.13}, {{-1.2, 1.0, -2.0}, 0.1}});
   shape.add_pair({{{0.9, 0.9, 0}, 0.15}, {{0.95, 0.95, -1.0}, 0.13}, {{1.05, 1.0, -2.05}, 0.1}});
   return shape;
+}
+
+// By their names.
+inline const std::map<std::string, Shape (*)()>& shapes()
+{
+  static const std::map<std::string, Shape (*)()> all = {
+    {"octopus", octopus}, {"teddy", teddy}, {"hand", hand}, {"horse", horse}, {"chair", chair}};
+  return all;
 }
 
 } // namespace example_shapes

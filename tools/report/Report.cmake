@@ -41,5 +41,5 @@ set(folder ${CMAKE_CURRENT_BINARY_DIR}/report_page)
 protrusion_embed_text(${folder}/report_page.h report_page_begin page_begin report_page_end page_end)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
              ${programs} ${parts}/page.html ${parts}/page.css ${THREE_JS} ${THREE_JS_LICENCE})
-target_sources(segment_by_protrusions PRIVATE report/report.cpp)
+target_sources(segment_by_protrusions PRIVATE report/report.cpp report/report_data.cpp)
 target_include_directories(segment_by_protrusions PRIVATE ${folder})

@@ -5,6 +5,7 @@
 #include "segmentation/segment.h"
 
 #include "command_line/number.h"
+#include "segmentation/join_segments.h"
 
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
@@ -145,32 +146,13 @@ Segment make(const Segmentation_options& options)
 }
 
 // Gives the last protrusions back to their parents, as `CGAL::Protrusion_segmentation::Segment_hierarchy` does.
-void join_segments(Segmentation& segmentation, std::size_t number_of_segments)
+void join_last_segments(Segmentation& segmentation, std::size_t number_of_segments)
 {
-  const std::vector<Protrusion> all = segmentation.record.protrusions();
-  const std::size_t number = (std::max)(number_of_segments, segmentation.number_of_segments - all.size());
-  if (number >= segmentation.number_of_segments)
-    return;
-  std::vector<std::size_t> parents(segmentation.number_of_segments);
-  for (const Protrusion& protrusion : all)
-    parents[protrusion.segment] = protrusion.parent;
-  const auto ancestor = [&](std::size_t s)
-  {
-    while (s >= number)
-      s = parents[s];
-    return s;
-  };
-  for (std::size_t& s : segmentation.segment_ids)
-    s = ancestor(s);
-  segmentation.number_of_segments = number;
-  std::vector<Protrusion> left;
-  for (Protrusion protrusion : all)
-    if (protrusion.segment < number)
-    {
-      protrusion.parent = ancestor(protrusion.parent);
-      left.push_back(protrusion);
-    }
-  segmentation.record.set_protrusions(left);
+  std::vector<bool> is_joined(segmentation.number_of_segments, false);
+  const std::size_t least = segmentation.number_of_segments - segmentation.record.protrusions().size();
+  for (std::size_t s = (std::max)(number_of_segments, least); s < is_joined.size(); ++s)
+    is_joined[s] = true;
+  join_segments(segmentation, is_joined);
 }
 
 } // namespace
@@ -228,7 +210,7 @@ segment(const Mesh& mesh,
   const auto start = std::chrono::steady_clock::now();
   result.number_of_segments = run(mesh, patches, result.segment_ids, options, result.record);
   if (options.hierarchy)
-    join_segments(result, *options.number_of_segments);
+    join_last_segments(result, *options.number_of_segments);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return result;
 }

@@ -1,0 +1,20 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_NAME_SEGMENTS_H
+#define PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_NAME_SEGMENTS_H
+
+#include "segmentation/Findings.h"
+
+#include <string>
+
+namespace tool
+{
+
+// Gives segments the names in a file of --names or --tips. Throws an `Error` if the file names what is not there.
+void name_segments(Findings& findings, const std::string& file);
+
+} // namespace tool
+
+#endif // PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_NAME_SEGMENTS_H
