@@ -8,3 +8,18 @@
 #define TINYGLTF_NO_STB_IMAGE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #include <tiny_gltf.h>
+
+namespace tinygltf {
+
+// Pictures are left alone.
+bool LoadImageData(Image*, int, std::string*, std::string*, int, int, const unsigned char*, int, void*)
+{
+  return true;
+}
+
+bool WriteImageData(const std::string*, const std::string*, Image*, bool, void*)
+{
+  return false;
+}
+
+} // namespace tinygltf

@@ -2,6 +2,7 @@
 # it, in a header. Without three.js the tool is built without it.
 
 include(${PROJECT_SOURCE_DIR}/cmake/Embed_text.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/Page.cmake)
 
 find_file(THREE_JS three.min.js PATH_SUFFIXES share/javascript/three
           DOC "three.js, a version that defines the global THREE")
@@ -15,31 +16,20 @@ if(NOT THREE_JS OR NOT THREE_JS_LICENCE)
   return()
 endif()
 
-set(parts ${CMAKE_CURRENT_LIST_DIR}/page)
-file(READ ${parts}/page.css REPORT_STYLE)
-file(READ ${THREE_JS} REPORT_THREE)
-file(READ ${THREE_JS_LICENCE} REPORT_LICENCE)
-string(REPLACE "&" "&amp;" REPORT_LICENCE "${REPORT_LICENCE}")
-string(REPLACE "<" "&lt;" REPORT_LICENCE "${REPORT_LICENCE}")
-set(programs ${parts}/Model.js ${parts}/Editor.js ${parts}/Exporter.js ${parts}/View.js ${parts}/Panel.js ${parts}/main.js)
-foreach(program ${programs})
-  file(READ ${program} text)
-  string(APPEND REPORT_PROGRAM "${text}")
-endforeach()
-
 # The mesh comes between the two halves.
-file(READ ${parts}/page.html page)
-string(FIND "${page}" "@REPORT_DATA@" begin_length)
-string(LENGTH "@REPORT_DATA@" gap)
-math(EXPR end_begin "${begin_length} + ${gap}")
+set(gap "(the data)")
+set(REPORT_DATA "${gap}")
+protrusion_page(page ${protrusion_page_parts}/main.js)
+string(FIND "${page}" "${gap}" begin_length)
+string(LENGTH "${gap}" gap_length)
+math(EXPR end_begin "${begin_length} + ${gap_length}")
 string(SUBSTRING "${page}" 0 ${begin_length} page_begin)
 string(SUBSTRING "${page}" ${end_begin} -1 page_end)
-string(CONFIGURE "${page_begin}" page_begin @ONLY)
-string(CONFIGURE "${page_end}" page_end @ONLY)
 
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/report_page)
 protrusion_embed_text(${folder}/report_page.h report_page_begin page_begin report_page_end page_end)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS
-             ${programs} ${parts}/page.html ${parts}/page.css ${THREE_JS} ${THREE_JS_LICENCE})
-target_sources(segment_by_protrusions PRIVATE report/report.cpp report/report_data.cpp)
+             ${protrusion_page_scripts} ${protrusion_page_parts}/main.js ${protrusion_page_parts}/page.html
+             ${protrusion_page_parts}/saving.html ${protrusion_page_parts}/page.css ${THREE_JS} ${THREE_JS_LICENCE})
+target_sources(segment_by_protrusions PRIVATE report/report.cpp)
 target_include_directories(segment_by_protrusions PRIVATE ${folder})

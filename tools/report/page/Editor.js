@@ -2,7 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is changed by hand: cuts that are taken back, names of segments, picked tips. Every change can be undone.
+// What is changed by hand: cuts that are taken back, names of segments, picked tips; and the model, if there comes another
+// one. Every change can be undone.
 
 "use strict";
 
@@ -10,14 +11,25 @@ class Editor
 {
   constructor(model, onChange)
   {
-    this.model = model;
     this.onChange = onChange;
-    this.names = new Map(model.data.measures.filter(m => m.name !== null).map(m => [m.segment, m.name])); // of segments
-    this.tips = []; // faces
+    this.setModel(model);
     this.history = [];
   }
 
-  state() { return {joined: new Set(this.model.joined), names: new Map(this.names), tips: [...this.tips]}; }
+  setModel(model)
+  {
+    this.model = model;
+    this.names = new Map(model.data.measures.filter(m => m.name !== null).map(m => [m.segment, m.name])); // of segments
+    this.tips = []; // faces
+  }
+
+  // Other segments of the same mesh.
+  replaceModel(model) { this.change(() => this.setModel(model)); }
+
+  state()
+  {
+    return {model: this.model, joined: new Set(this.model.joined), names: new Map(this.names), tips: [...this.tips]};
+  }
 
   change(make)
   {
@@ -34,6 +46,7 @@ class Editor
     const before = this.history.pop();
     if (before === undefined)
       return;
+    this.model = before.model;
     this.names = before.names;
     this.tips = before.tips;
     this.model.setJoined(before.joined);

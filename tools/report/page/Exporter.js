@@ -8,11 +8,9 @@
 
 class Exporter
 {
-  constructor(model, editor)
-  {
-    this.model = model;
-    this.editor = editor;
-  }
+  constructor(editor) { this.editor = editor; }
+
+  get model() { return this.editor.model; }
 
   // Those of the file.
   coordinates([x, y, z])

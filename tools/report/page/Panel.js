@@ -70,21 +70,26 @@ function colorOf(model, segment)
 
 class Panel
 {
-  constructor(model, editor, onSelect)
+  constructor(editor, onSelect)
   {
-    this.model = model;
     this.editor = editor;
     this.onSelect = onSelect;
-    const {data} = model;
+    this.part("meanings").replaceChildren(...Object.entries(Panel.meanings).flatMap(
+      ([name, meaning]) => [element("dt", {textContent: name}), element("dd", {textContent: meaning})]));
+  }
+
+  get model() { return this.editor.model; }
+
+  showHead()
+  {
+    const {data} = this.model;
     const name = data.input.split(/[\\/]/).pop();
     document.title = `${name} – protrusions`;
     this.part("title").textContent = name;
     this.part("summary").textContent =
       `${data.faces.toLocaleString("en")} faces, ${data.segments} segments in ${format(data.seconds)} s; ` +
       (data.method === null ? `segments of ${data.labels}` : `method ${data.method}`) + (data.distance === null ? "" : `, distance ${data.distance}`);
-    this.part("meanings").replaceChildren(...Object.entries(Panel.meanings).flatMap(
-      ([name, meaning]) => [element("dt", {textContent: name}), element("dd", {textContent: meaning})]));
-    this.part("colors").parentElement.hidden = !model.hasConfidence();
+    this.part("colors").parentElement.hidden = !this.model.hasConfidence();
     this.part("note").hidden = data.note === null;
     this.part("note").textContent = data.note ?? "";
   }
@@ -93,6 +98,7 @@ class Panel
 
   show(selected)
   {
+    this.showHead();
     const bodies = this.model.shownSegments().filter(s => this.model.isBody(s));
     this.part("tree").replaceChildren(...bodies.map(s => this.branch(s, selected)));
     this.part("details").replaceChildren(...this.details(selected));

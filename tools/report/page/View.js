@@ -9,10 +9,9 @@
 
 class View
 {
-  constructor(canvas, model, editor)
+  constructor(canvas, editor)
   {
     this.canvas = canvas;
-    this.model = model;
     this.editor = editor;
     this.renderer = new THREE.WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: true});
     this.renderer.setPixelRatio(window.devicePixelRatio);
@@ -24,11 +23,19 @@ class View
     light.position.set(-0.4, 0.6, 1); // of the camera, so that it stays with the eye
     this.camera.add(light);
     this.turned = new THREE.Group();
-    this.turned.rotation.set(-1.2, 0, -0.6); // the z axis upwards, seen a little from above
     this.scene.add(this.turned);
-    this.addMesh();
     this.addMarks();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    this.begin();
+  }
+
+  get model() { return this.editor.model; }
+
+  // Of another mesh than before.
+  begin()
+  {
+    this.turned.rotation.set(-1.2, 0, -0.6); // the z axis upwards, seen a little from above
+    this.turned.position.set(0, 0, 0);
     this.resize();
     this.showAll();
   }
@@ -50,8 +57,18 @@ class View
     this.draw();
   }
 
-  addMesh()
+  // The mesh of the model, split at its borders, in place of that of another model.
+  setMesh()
   {
+    if (this.modelOfMesh === this.model)
+      return;
+    this.modelOfMesh = this.model;
+    if (this.mesh)
+    {
+      this.turned.remove(this.mesh);
+      this.mesh.geometry.dispose();
+      this.mesh.material.dispose();
+    }
     const shared = new THREE.BufferGeometry();
     shared.setAttribute("position", new THREE.BufferAttribute(this.model.positions, 3));
     shared.setIndex(new THREE.BufferAttribute(this.model.triangles, 1));
@@ -128,6 +145,7 @@ class View
   // Colours for the current level; all but the selected segment are faint. -1 selects none.
   show(selected)
   {
+    this.setMesh();
     const {maximum, ancestors} = this.model;
     const faint = color => color.map(c => Math.round(c + 0.6 * (255 - c)));
     const shown = new Uint8Array(3 * maximum); // for the finest segments
