@@ -19,6 +19,7 @@ if command -v ccache > /dev/null
 then
   export EM_COMPILER_WRAPPER=ccache
 fi
+export NODE_PATH=/usr/share/nodejs # where Debian's modules are, for a node that is not Debian's
 zlib=$("$root/web/fetch_zlib.sh" "$folder")
 emcmake cmake -S "$root/web" -B "$folder/program" -G Ninja -DZLIB_SOURCE="$zlib"
 cmake --build "$folder/program"

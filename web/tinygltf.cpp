@@ -17,7 +17,7 @@ bool LoadImageData(Image*, int, std::string*, std::string*, int, int, const unsi
   return true;
 }
 
-bool WriteImageData(const std::string*, const std::string*, Image*, bool, void*)
+bool WriteImageData(const std::string*, const std::string*, const Image*, bool, std::string*, void*)
 {
   return false;
 }
