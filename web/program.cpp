@@ -218,6 +218,7 @@ const char* page_make_example(const char* shape, int number_of_faces)
 {
   return answer([&]()
                 {
+                  page_progress(0, "making the example", 0);
                   const std::string file = std::string(shape) + ".off";
                   tool::write_mesh(file, example_shapes::mesh_of_shape(example_shapes::shapes().at(shape)(),
                                                                        std::size_t(number_of_faces)));

@@ -50,15 +50,14 @@ def compare(page, tool, options, meshes, tell=print):
     same, ratios = 0, []
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        for mesh in meshes:
-            [of_page] = page_results(page, folder, options, [mesh])
+        for mesh, of_page in zip(meshes, page_results(page, folder, options, meshes)):
             labels, seconds = tool_result(tool, folder, options, mesh)
             if labels is None or "error" in of_page:
                 agree = labels is None and of_page.get("error", "").split(": ", 1)[-1] in seconds
                 tell(f"{mesh}: {of_page.get('error', 'no error')}; the tool: {seconds}")
                 same += agree
                 continue
-            here = (folder / f"{mesh.stem}.seg").read_text()
+            here = (folder / f"{mesh.name}.seg").read_text()
             same += here == labels
             ratios.append(of_page["seconds"] / seconds)
             if here != labels:

@@ -6,7 +6,7 @@
 //
 //   node run_page_program.js PAGE FOLDER WORDS MESH...
 //
-// WORDS is a JSON array of options of segment_by_protrusions. Writes FOLDER/<mesh>.seg for each mesh, and prints a JSON object a
+// WORDS is a JSON array of options of segment_by_protrusions. Writes FOLDER/<file>.seg for each mesh, and prints a JSON object a
 // line: {"mesh", "seconds", "megabytes"} or {"mesh", "error"}. A MESH "example:octopus:24000" is one that the page makes; its file
 // is written, too. The seconds are those that the program tells, to read and to segment.
 
@@ -47,12 +47,12 @@ async function run(program, folder, words, mesh)
 {
   const question = {source: sourceOf(mesh), words, texts: {}};
   const data = await program.segment(question);
-  const name = path.parse(question.source.main ?? `${question.source.example}.off`).name;
+  const name = question.source.main ?? `${question.source.example}.off`;
   const request = {...question, outputs: ["-o", "out/labels.seg"], joined: [], names: [], archive: ""};
   const [[, bytes]] = await program.write(request);
   fs.writeFileSync(path.join(folder, `${name}.seg`), bytes);
   if (question.source.example)
-    fs.writeFileSync(path.join(folder, `${name}.off`), program.fs.readFile(`${name}.off`));
+    fs.writeFileSync(path.join(folder, name), program.fs.readFile(name));
   return {mesh, seconds: data.seconds, segments: data.segments, faces: data.faces,
           megabytes: program.bytesOfMemory() / 2 ** 20};
 }
@@ -63,7 +63,11 @@ async function main([page, folder, words, ...meshes])
   let program;
   for (const mesh of meshes)
   {
-    program ??= new Worker_program(await makeProgram({}));
+    if (!program)
+    {
+      program = new Worker_program(await makeProgram({}));
+      program.warmUp(); // as the page does
+    }
     let result;
     try
     {

@@ -32,7 +32,7 @@ def test_examples_are_made_by_the_page(page_file, tool, tmp_path):
     [result] = page_results(page_file, tmp_path, [], ["example:octopus:24000"])
     labels = tmp_path / "tool.seg"
     subprocess.run([tool, tmp_path / "octopus.off", "-o", labels, "--quiet"], check=True)
-    assert result["segments"] == 9 and labels.read_text() == (tmp_path / "octopus.seg").read_text()
+    assert result["segments"] == 9 and labels.read_text() == (tmp_path / "octopus.off.seg").read_text()
 
 
 def test_formats(page_file, tool, example_meshes, tmp_path):

@@ -30,7 +30,7 @@ class Segmenting_report extends Report
   {
     this.editor.setModel(model);
     this.editor.history = [];
-    this.view.begin();
+    this.beginView();
     document.getElementById("picking").checked = false;
     this.select(-1);
   }
@@ -45,7 +45,7 @@ class Segmenting_report extends Report
   {
     super.show();
     const {question} = this.model;
-    if (question && question !== this.shownQuestion)
+    if (this.shownQuestion && question !== this.shownQuestion)
       this.page.options.set(question.options); // also after undoing
     this.shownQuestion = question;
   }

@@ -167,7 +167,7 @@ class Page
   {
     this.part("progress").value = share;
     const count = protrusions === 0 ? "" : protrusions === 1 ? "1 protrusion, " : `${protrusions} protrusions, `;
-    this.part("stage").textContent = count + (stage || "beginning");
+    this.part("stage").textContent = count + (stage || "starting");
   }
 
   showError(message)

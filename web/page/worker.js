@@ -98,6 +98,15 @@ class Worker_program
     });
   }
 
+  // An engine makes code fast that it has run a while. So the first mesh takes as long as the next ones.
+  warmUp()
+  {
+    this.source = null;
+    this.call("_page_make_example", "teddy", 1000);
+    this.call("_page_segment", JSON.stringify(["teddy.off"]));
+    this.clear();
+  }
+
   about() { return this.call("_page_about"); }
 
   bytesOfMemory() { return this.program.HEAPU8.length; }
@@ -116,8 +125,11 @@ if (typeof importScripts === "function") // a worker, not the tests
     },
     onWarning: warning => postMessage({warning}),
   }).then(program => new Worker_program(program));
+  let isAsked = false;
+  ready.then(program => setTimeout(() => { if (!isAsked) program.warmUp(); }, 100)); // milliseconds, for the page to be drawn
   onmessage = async ({data: {id, action, question}}) =>
   {
+    isAsked ||= question !== undefined;
     try
     {
       const program = await ready;

@@ -22,6 +22,7 @@ class Report
     this.selected = -1;
     this.panel = new Panel(this.editor, segment => this.select(segment));
     this.view = new View(document.getElementById("canvas"), this.editor);
+    this.beginView();
     document.getElementById("level").oninput = event => this.setLevel(event.target.valueAsNumber);
     this.connectButtons();
     this.connectPointer(this.view.canvas);
@@ -83,6 +84,14 @@ class Report
   // The name of the file without folder and extension.
   get name() { return this.model.data.input.split(/[\\/]/).pop().replace(/\.[^.]*$/, "") || "mesh"; }
 
+  // With the axis upwards that is usual in the format.
+  beginView()
+  {
+    const up = /\.(obj|glb|gltf)(\.gz)?$/i.test(this.model.data.input) ? "y" : "z";
+    document.getElementById("up").value = up;
+    this.view.begin(up);
+  }
+
   // What the buttons do.
   actions()
   {
@@ -101,6 +110,7 @@ class Report
     for (const [id, action] of Object.entries(this.actions()))
       document.getElementById(id).onclick = action;
     document.getElementById("colors").onchange = () => this.show();
+    document.getElementById("up").onchange = event => this.view.begin(event.target.value);
   }
 
   isPicking() { return document.getElementById("picking").checked; }

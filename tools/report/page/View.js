@@ -26,15 +26,14 @@ class View
     this.scene.add(this.turned);
     this.addMarks();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
-    this.begin();
   }
 
   get model() { return this.editor.model; }
 
-  // Of another mesh than before.
-  begin()
+  // The whole mesh with an axis upwards, "y" or "z", seen a little from above.
+  begin(up)
   {
-    this.turned.rotation.set(-1.2, 0, -0.6); // the z axis upwards, seen a little from above
+    this.turned.rotation.set(...(up === "z" ? [-1.2, 0, -0.6] : [-1.2 + Math.PI / 2, -0.6, 0]));
     this.turned.position.set(0, 0, 0);
     this.resize();
     this.showAll();
