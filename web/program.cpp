@@ -47,8 +47,9 @@ std::optional<tool::Findings> last_findings;
 const char* answer(const std::function<std::string()>& run)
 {
   static std::string text;
-  const auto error = [&](const std::string& message)
-  { text = Json({{"error", message}}).dump(-1, ' ', false, Json::error_handler_t::replace); };
+  const auto error = [&](const std::string& message) {
+    text = Json({{"error", message}}).dump(-1, ' ', false, Json::error_handler_t::replace);
+  };
   text.clear();
   text.shrink_to_fit();
   try
@@ -105,8 +106,13 @@ std::string segment(const tool::Command_line& command_line)
 class Edit
 {
 public:
-  Edit(tool::Findings& findings, const std::vector<std::size_t>& joined, const std::vector<std::string>& names)
-    : m_findings(findings), m_segmentation(findings.segmentation), m_names(findings.names), m_note(findings.note)
+  Edit(tool::Findings& findings,
+       const std::vector<std::size_t>& joined,
+       const std::vector<std::string>& names)
+    : m_findings(findings),
+      m_segmentation(findings.segmentation),
+      m_names(findings.names),
+      m_note(findings.note)
   {
     if (findings.smoothed)
       m_smoothed_ids = findings.smoothed->segment_ids;
@@ -201,29 +207,32 @@ Json described(const std::vector<tool::Choice>& choices)
 
 const char* page_about()
 {
-  return answer([]()
-                {
-                  Json examples = Json::array();
-                  for (const auto& shape : example_shapes::shapes())
-                    examples.push_back(shape.first);
-                  return Json({{"version", PROTRUSION_SEGMENTATION_VERSION},
-                               {"methods", described(tool::methods())},
-                               {"distances", described(tool::distances())},
-                               {"formats", tool::known_formats()},
-                               {"examples", examples}}).dump();
-                });
+  return answer(
+    []()
+    {
+      Json examples = Json::array();
+      for (const auto& shape : example_shapes::shapes())
+        examples.push_back(shape.first);
+      return Json({{"version", PROTRUSION_SEGMENTATION_VERSION},
+                   {"methods", described(tool::methods())},
+                   {"distances", described(tool::distances())},
+                   {"formats", tool::known_formats()},
+                   {"examples", examples}})
+        .dump();
+    });
 }
 
 const char* page_make_example(const char* shape, int number_of_faces)
 {
-  return answer([&]()
-                {
-                  page_progress(0, "making the example", 0);
-                  const std::string file = std::string(shape) + ".off";
-                  tool::write_mesh(file, example_shapes::mesh_of_shape(example_shapes::shapes().at(shape)(),
-                                                                       std::size_t(number_of_faces)));
-                  return Json({{"file", file}}).dump();
-                });
+  return answer(
+    [&]()
+    {
+      page_progress(0, "making the example", 0);
+      const std::string file = std::string(shape) + ".off";
+      tool::write_mesh(file, example_shapes::mesh_of_shape(example_shapes::shapes().at(shape)(),
+                                                           std::size_t(number_of_faces)));
+      return Json({{"file", file}}).dump();
+    });
 }
 
 const char* page_segment(const char* words)

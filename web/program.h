@@ -9,8 +9,7 @@
 #ifndef PROTRUSION_SEGMENTATION_WEB_PROGRAM_H
 #define PROTRUSION_SEGMENTATION_WEB_PROGRAM_H
 
-extern "C"
-{
+extern "C" {
 // Is called by the others: the share that is done, from 0 to 1, the stage, and the number of protrusions so far.
 void page_progress(double share, const char* stage, int number_of_protrusions);
 void page_warning(const char* warning);

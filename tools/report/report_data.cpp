@@ -18,14 +18,15 @@
 #include <cstdint>
 #include <vector>
 
-namespace tool
-{
-namespace
-{
+namespace tool {
+namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::uint32_t index(std::size_t i) { return static_cast<std::uint32_t>(i); }
+std::uint32_t index(std::size_t i)
+{
+  return static_cast<std::uint32_t>(i);
+}
 
 // Whole numbers as bytes, as few for each as the largest one needs.
 Json pack(const std::vector<std::uint32_t>& numbers, std::size_t number_of_bytes)
@@ -67,7 +68,8 @@ std::vector<std::uint32_t> borders(const Findings& findings)
     const std::size_t here = segment_ids[face(h, mesh)];
     const std::size_t there = segment_ids[face(opposite(h, mesh), mesh)];
     if (here != there)
-      result.insert(result.end(), {point(source(h, mesh)), point(target(h, mesh)), index(here), index(there)});
+      result.insert(result.end(),
+                    {point(source(h, mesh)), point(target(h, mesh)), index(here), index(there)});
   }
   return result;
 }
@@ -79,12 +81,14 @@ Json describe_mesh(const Findings& findings)
   for (const std::size_t segment : labels_of_file(findings.segmentation.segment_ids, findings.mesh))
     segments.push_back(index(segment));
   for (std::size_t face = 0; face < soup.polygons.size(); ++face)
-    for_each_triangle(soup.polygons[face], [&](auto a, auto b, auto c) {
-      triangles.insert(triangles.end(), {index(a), index(b), index(c)});
-      face_of_triangle.push_back(index(face));
-    });
-  const bool are_faces_triangles =
-    std::all_of(soup.polygons.begin(), soup.polygons.end(), [](const Polygon& p) { return p.size() == 3; });
+    for_each_triangle(soup.polygons[face],
+                      [&](auto a, auto b, auto c)
+                      {
+                        triangles.insert(triangles.end(), {index(a), index(b), index(c)});
+                        face_of_triangle.push_back(index(face));
+                      });
+  const bool are_faces_triangles = std::all_of(soup.polygons.begin(), soup.polygons.end(),
+                                               [](const Polygon& p) { return p.size() == 3; });
   const std::size_t index_bytes = bytes_for(soup.points.size());
   const std::size_t segment_bytes = bytes_for(findings.segmentation.number_of_segments);
   const Ball ball = bounding_ball(soup.points);

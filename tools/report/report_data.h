@@ -9,8 +9,7 @@
 
 #include <string>
 
-namespace tool
-{
+namespace tool {
 
 // What the page of --report shows, in JSON: the record of --json, colours, and the mesh. Model.js reads it.
 std::string report_data(const Findings& findings);

@@ -7,8 +7,7 @@
 #include <cstddef>
 #include <numeric>
 
-namespace tool
-{
+namespace tool {
 
 std::vector<std::size_t> join_segments(Segmentation& segmentation, const std::vector<bool>& is_joined)
 {

@@ -10,8 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace tool
-{
+namespace tool {
 
 // Gives the protrusions that `is_joined` names to their parents, or to the nearest ancestors that are left. The others keep
 // their order, and get the numbers 0, 1, 2 ... Returns, of each segment as it was, the number of the one it is in now.

@@ -12,10 +12,8 @@
 #include <string>
 #include <vector>
 
-namespace tool
-{
-namespace
-{
+namespace tool {
+namespace {
 
 // The name of a picked tip whose protrusion was not found is not that of the body.
 bool is_tip_in_body(const Findings& findings, std::size_t face, std::size_t segment)
@@ -39,12 +37,12 @@ void name_segments(Findings& findings, const std::string& file)
   for (const Named_segment& named : read_names(file))
   {
     if (named.face && *named.face >= segment_of_face.size())
-      throw Error(file, "names the segment of face " + std::to_string(*named.face) +
-                                ", but there are " + std::to_string(segment_of_face.size()) + " faces");
+      throw Error(file, "names the segment of face " + std::to_string(*named.face) + ", but there are " +
+                          std::to_string(segment_of_face.size()) + " faces");
     const std::size_t segment = named.face ? segment_of_face[*named.face] : *named.segment;
     if (segment >= findings.names.size())
       throw Error(file, "names segment " + std::to_string(segment) + ", but there are " +
-                                std::to_string(findings.names.size()));
+                          std::to_string(findings.names.size()));
     if (!named.face || !is_tip_in_body(findings, *named.face, segment))
       findings.names[segment] = named.name;
   }

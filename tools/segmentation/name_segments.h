@@ -9,8 +9,7 @@
 
 #include <string>
 
-namespace tool
-{
+namespace tool {
 
 // Gives segments the names in a file of --names or --tips. Throws an `Error` if the file names what is not there.
 void name_segments(Findings& findings, const std::string& file);

@@ -59,7 +59,7 @@ class Segmenting_report extends Report
     const nested = document.getElementById("nested");
     const again = element("button", {type: "button", textContent: `segment into ${number}`,
                                      onclick: () => this.page.segmentInto(number)});
-    nested.replaceChildren("These are nested segments. Their number alone may find better ones: ", again);
+    nested.replaceChildren(`These are nested segments. The best ${number} may differ: `, again);
   }
 
   actions()

@@ -269,38 +269,8 @@ class View
     const back = new THREE.Matrix4().getInverse(this.turned.matrixWorld);
     const from = this.camera.position.clone().applyMatrix4(back);
     const to = new THREE.Vector3(position.x, position.y, 0.5).unproject(this.camera).applyMatrix4(back);
-    const triangle = this.firstTriangle(from.toArray(), to.sub(from).toArray());
+    const triangle = this.model.firstTriangle(from.toArray(), to.sub(from).toArray());
     return triangle < 0 ? -1 : this.model.faceOfTriangle(triangle);
-  }
-
-  // The first triangle on a ray, by the algorithm of Moeller and Trumbore (1997); -1 if there is none. Without an object for
-  // each triangle, a million of them take some hundredths of a second.
-  firstTriangle([px, py, pz], [dx, dy, dz])
-  {
-    const {positions: p, triangles} = this.model;
-    let [best, nearest] = [-1, Infinity];
-    for (let t = 0; t < triangles.length; t += 3)
-    {
-      const [a, b, c] = [3 * triangles[t], 3 * triangles[t + 1], 3 * triangles[t + 2]];
-      const ex = p[b] - p[a], ey = p[b + 1] - p[a + 1], ez = p[b + 2] - p[a + 2];
-      const fx = p[c] - p[a], fy = p[c + 1] - p[a + 1], fz = p[c + 2] - p[a + 2];
-      const hx = dy * fz - dz * fy, hy = dz * fx - dx * fz, hz = dx * fy - dy * fx;
-      const determinant = ex * hx + ey * hy + ez * hz;
-      if (determinant === 0)
-        continue;
-      const sx = px - p[a], sy = py - p[a + 1], sz = pz - p[a + 2];
-      const u = (sx * hx + sy * hy + sz * hz) / determinant;
-      if (u < 0 || u > 1)
-        continue;
-      const qx = sy * ez - sz * ey, qy = sz * ex - sx * ez, qz = sx * ey - sy * ex;
-      const v = (dx * qx + dy * qy + dz * qz) / determinant;
-      if (v < 0 || u + v > 1)
-        continue;
-      const distance = (fx * qx + fy * qy + fz * qz) / determinant;
-      if (distance > 0 && distance < nearest)
-        [best, nearest] = [t / 3, distance];
-    }
-    return best;
   }
 
   // Where a face is in the window, hidden or not.
