@@ -20,7 +20,7 @@ def test_file_is_small(page_file):
 
 @pytest.mark.parametrize("options", [[], ["-k", "5"], ["--method", "paper"], ["--method", "paper", "--distance", "landmark"],
                                      ["--distance", "heat"], ["--method", "paper", "--distance", "diffusion"],
-                                     ["--join-pieces"], ["--smooth-borders"]])
+                                     ["--smooth-borders"]])
 def test_labels_of_examples(page_file, tool, example_meshes, options):
     lines = []
     same, _ = compare(page_file, tool, options, example_meshes, lines.append)
