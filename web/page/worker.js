@@ -17,8 +17,8 @@ class Worker_program
   {
     this.program = program;
     this.fs = program.FS;
-    this.fs.mkdir("/work");
-    this.fs.chdir("/work");
+    this.fs.mkdir("/meshes");
+    this.fs.chdir("/meshes");
     this.source = null; // the id of the one that is in the folder
     this.segmented = null; // what was segmented last, as text
   }
