@@ -73,10 +73,13 @@ std::vector<fs::path> files_in(const fs::path& folder, const std::string& extens
 
 } // namespace
 
-Benchmark_folder::Benchmark_folder(const std::string& path, const Model_classes& classes)
-  : m_classes(classes)
+Benchmark_folder::Benchmark_folder(const std::string& path, const std::string& classes)
 {
   const fs::path folder(path);
+  std::string of_file;
+  std::getline(std::ifstream(folder / "classes.txt"), of_file);
+  if (const std::string& text = classes.empty() ? of_file : classes; !text.empty())
+    m_classes = Model_classes(text);
   m_meshes = existing({folder / "off", folder / "data/off"});
   m_segmentations = m_meshes.parent_path() / "seg";
   if (fs::exists(m_segmentations / "Benchmark"))

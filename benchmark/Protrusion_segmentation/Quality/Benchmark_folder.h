@@ -7,6 +7,7 @@
 //   data/off/<model>.off                             or off/<model>.off: the mesh
 //   data/seg/Benchmark/<model>/<model>_<human>.seg   or seg/<model>/...: a human's segmentation
 //   util/parameters/nSeg-ByModel.txt                 or nSeg-ByModel.txt: line <model>: the number of segments to ask for
+//   classes.txt                                      if its classes are not Princeton's: as Model_classes takes them
 //
 // The archive's folder data can be named as well.
 
@@ -35,8 +36,9 @@ struct Model
 class Benchmark_folder
 {
 public:
-  // Throws `std::runtime_error`, which names the file and the cause, if the folder is not laid out as above.
-  explicit Benchmark_folder(const std::string& path, const Model_classes& classes = Model_classes());
+  // Throws `std::runtime_error`, which names the file and the cause, if the folder is not laid out as above. Classes that are
+  // named go before those of the file.
+  explicit Benchmark_folder(const std::string& path, const std::string& classes = "");
 
   // The models that are there among those of the list, such as "2,4,10-50,60-400/8"; "" stands for all.
   // Throws `std::invalid_argument` if the list cannot be understood.

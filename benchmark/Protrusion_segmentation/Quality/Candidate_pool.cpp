@@ -42,8 +42,9 @@ double sum_of_pairs(const std::vector<double>& numbers)
 
 } // namespace
 
-Candidate_pool::Candidate_pool(const Model& model)
+Candidate_pool::Candidate_pool(const Model& model, std::size_t folder)
   : m_class_name(model.class_name),
+    m_folder(folder),
     m_number_of_segments(model.number_of_segments),
     m_surface(PS::internal::leave_out_small_components(
       PS::internal::read_arrays(model.mesh, CGAL::parameters::default_values()))),
@@ -91,11 +92,17 @@ void Candidate_pool::begin_again(const Cut_weights& weights)
   m_beam = std::move(beam);
 }
 
-// Pairs that one segmentation has together and the other one apart.
-double Candidate_pool::rand_index_error(const Cut_weights& weights)
+Candidate_pool::Errors Candidate_pool::errors(const Cut_weights& weights)
 {
   begin_again(weights);
-  std::size_t k = m_number_of_segments;
+  const double with_number = rand_index_error(m_number_of_segments);
+  const std::size_t found = m_beam->automatic_number([](std::size_t) { return 0; });
+  return {with_number, rand_index_error(found), found == m_number_of_segments};
+}
+
+// Pairs that one segmentation has together and the other one apart.
+double Candidate_pool::rand_index_error(std::size_t k)
+{
   while (!m_beam->best(k))
     --k;
   const std::size_t number_of_humans = m_faces_of_human.size();

@@ -31,15 +31,22 @@ public:
   using Cut_weights = CGAL::Protrusion_segmentation::internal::Cut_weights;
 
   // Throws `std::invalid_argument` if the mesh is not connected: between components cuts do not compete by their clues only.
-  explicit Candidate_pool(const Model& model);
+  // `folder`: number of the folder that it comes from
+  explicit Candidate_pool(const Model& model, std::size_t folder = 0);
   Candidate_pool(const Candidate_pool&) = delete;
   Candidate_pool& operator=(const Candidate_pool&) = delete;
 
   const std::string& class_name() const { return m_class_name; }
+  std::size_t folder() const { return m_folder; }
+  bool has_known_parts() const { return m_faces_of_human.size() == 1; } // people's segmentations come in numbers
 
-  // The mean Rand index error against people's segmentations, with the number of segments of the model; borders stay
-  // where they are on the coarse graph.
-  double rand_index_error(const Cut_weights& weights);
+  // Mean Rand index errors against people's segmentations; borders stay where they are on the coarse graph.
+  struct Errors
+  {
+    double with_number, automatic;
+    bool is_number_found; // without it
+  };
+  Errors errors(const Cut_weights& weights);
 
 private:
   using Index = CGAL::Protrusion_segmentation::Indexed_surface::Index;
@@ -53,9 +60,10 @@ private:
 
   void count_shares(const std::vector<Labels>& humans);
   void begin_again(const Cut_weights& weights);
+  double rand_index_error(std::size_t number_of_segments);
 
   std::string m_class_name;
-  std::size_t m_number_of_segments;
+  std::size_t m_folder, m_number_of_segments;
   CGAL::Protrusion_segmentation::internal::Canonical_surface m_surface;
   CGAL::Protrusion_segmentation::Execution m_execution;
   std::optional<CGAL::Protrusion_segmentation::internal::Any_distance> m_no_distance;

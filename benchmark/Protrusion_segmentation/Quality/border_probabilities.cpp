@@ -255,7 +255,7 @@ int main(int argc, char** argv)
   CLI11_PARSE(app, argc, argv);
   try
   {
-    const Benchmark_folder benchmark(folder, classes.empty() ? Model_classes() : Model_classes(classes));
+    const Benchmark_folder benchmark(folder, classes);
     Borders borders;
     for (const int number : benchmark.models(models))
       add_borders_of_model(benchmark, number, borders);

@@ -15,7 +15,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Component_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/describe_protrusions.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/number_of_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/Next_segment.h>
 
@@ -72,21 +71,9 @@ public:
              : std::nullopt;
   }
 
-  // One if none of the cuts is distinct: a tube is one piece, however it is bent.
   std::size_t automatic_number()
   {
-    const std::size_t number = automatic_number_of_segments(
-      [this](std::size_t n) -> std::optional<double>
-      {
-        const Next_segment progress(m_execution, n, std::nullopt);
-        if (!m_beam.best_protrusions(n + 1))
-          return std::nullopt;
-        return m_beam.gain(n + 1);
-      },
-      m_options);
-    const std::vector<Cut_set::Made_cut>& cuts = m_beam.best(number)->cuts;
-    const bool is_tube = std::none_of(cuts.begin(), cuts.end(), [](const Cut_set::Made_cut& cut) { return cut.is_distinct; });
-    return is_tube ? 1 : number;
+    return m_beam.automatic_number([this](std::size_t n) { return Next_segment(m_execution, n, std::nullopt); });
   }
 
   // The cuts of protrusions of picked tips. Where they are those of the best segmentation into some number of segments and a few

@@ -11,11 +11,13 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/number_of_segments.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -63,6 +65,23 @@ public:
       if (!advance(m_options.least_protrusion))
         return nullptr;
     return &m_best[number_of_segments - 1];
+  }
+
+  // One if none of the cuts is distinct: a tube is one piece, however it is bent. `step(n)` makes an object that lives while
+  // segment n + 1 is looked for.
+  template <typename Step>
+  std::size_t automatic_number(Step step)
+  {
+    const std::size_t number = automatic_number_of_segments(
+      [&](std::size_t n) -> std::optional<double>
+      {
+        [[maybe_unused]] const auto lives = step(n);
+        return best_protrusions(n + 1) ? std::optional<double>(gain(n + 1)) : std::nullopt;
+      },
+      m_options);
+    const std::vector<Cut_set::Made_cut>& cuts = best(number)->cuts;
+    const bool is_tube = std::none_of(cuts.begin(), cuts.end(), [](const Cut_set::Made_cut& cut) { return cut.is_distinct; });
+    return is_tube ? 1 : number;
   }
 
   // What the last of a number of segments gains, of those that were asked for.
