@@ -10,8 +10,8 @@
 #include "ui_Protrusion_segmentation_widget.h"
 
 #include <CGAL/Protrusion_segmentation/Histogram_method.h>
-#include <CGAL/Three/Polyhedron_demo_plugin_helper.h>
-#include <CGAL/Three/Polyhedron_demo_plugin_interface.h>
+#include <CGAL/Three/CGAL_Lab_plugin_helper.h>
+#include <CGAL/Three/CGAL_Lab_plugin_interface.h>
 #include <CGAL/Three/Scene_group_item.h>
 #include <CGAL/Three/Three.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
@@ -70,12 +70,11 @@ QColor segment_color(std::size_t segment)
 
 } // namespace
 
-class Polyhedron_demo_protrusion_segmentation_plugin : public QObject,
-                                                       public CGAL::Three::Polyhedron_demo_plugin_helper
+class Protrusion_segmentation_plugin : public QObject, public CGAL::Three::CGAL_Lab_plugin_helper
 {
   Q_OBJECT
-  Q_INTERFACES(CGAL::Three::Polyhedron_demo_plugin_interface)
-  Q_PLUGIN_METADATA(IID "com.geometryfactory.PolyhedronDemo.PluginInterface/1.0")
+  Q_INTERFACES(CGAL::Three::CGAL_Lab_plugin_interface)
+  Q_PLUGIN_METADATA(IID "com.geometryfactory.CGALLab.PluginInterface/1.0")
 
 public:
   QList<QAction*> actions() const override { return {m_action}; }
@@ -357,7 +356,7 @@ private:
   }
 
   // of the spheres: easily seen, and hides little
-  double tip_radius() const { return 0.01 * m_item->diagonalBbox(); }
+  double tip_radius() const { return 0.01 * m_item->bboxDiagonal(); }
 
   static face_descriptor nearest_face(const SMesh& mesh, const Point_3& point)
   {
