@@ -118,7 +118,7 @@ public Q_SLOTS:
     m_dock->raise();
   }
 
-  // Computes the hierarchy of the selected mesh, and shows as many segments as are evident.
+  // Computes the hierarchy of the selected mesh, and shows as many segments as the method finds.
   void segment()
   {
     take_selected_item();
@@ -128,7 +128,7 @@ public Q_SLOTS:
         Progress_visitor visitor(mw);
         const auto np = CGAL::parameters::visitor(std::ref(visitor));
         Segment_map segments = segment_map(mesh);
-        const std::size_t evident =
+        const std::size_t number =
           with_method([&](const auto& method)
                       { return CGAL::segmentation_via_protrusion_tips(mesh, segments, method, np); });
         const std::size_t largest = (std::min<std::size_t>)(num_faces(mesh), m_widget.maximum_box->value());
@@ -136,8 +136,8 @@ public Q_SLOTS:
           return;
         Protrusions::Segment_hierarchy hierarchy =
           with_method([&](const auto& method)
-                      { return CGAL::protrusion_hierarchy(mesh, (std::max)(largest, evident), method, np); });
-        take_hierarchy(std::move(hierarchy), evident);
+                      { return CGAL::protrusion_hierarchy(mesh, (std::max)(largest, number), method, np); });
+        take_hierarchy(std::move(hierarchy), number);
       });
   }
 
@@ -275,7 +275,12 @@ private:
     return mesh.add_property_map<face_descriptor, std::size_t>("f:protrusion_segment", 0).first;
   }
 
-  void take_selected_item() { take_item(getSelectedItem<Scene_surface_mesh_item>()); }
+  void take_selected_item()
+  {
+    // A click on a sphere selects the spheres. The mesh below them stays the one to work on.
+    if (!m_spheres || scene->item(scene->mainSelectionIndex()) != m_spheres)
+      take_item(getSelectedItem<Scene_surface_mesh_item>());
+  }
 
   void take_item(Scene_surface_mesh_item* item)
   {
