@@ -1,5 +1,5 @@
-# `cpack` makes a Debian package of the headers, the command line tools and the examples; one of the Python module if that is
-# built; and one of the manuals if PROTRUSION_SEGMENTATION_BUILD_DOC is set.
+# `cpack` makes a Debian package of the headers and the examples; one of the command line tools if they are built; one of the
+# Python module if that is built; and one of the manuals if PROTRUSION_SEGMENTATION_BUILD_DOC is set.
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME protrusion-segmentation)
@@ -18,8 +18,15 @@ set(CPACK_COMPONENTS_ALL Unspecified)
 set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_NAME protrusion-segmentation)
 set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_DEPENDS "libcgal-dev (>= 5.5)")
-set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_RECOMMENDS "g++, cmake, libeigen3-dev, libspectra-dev, libtbb-dev")
+set(CPACK_DEBIAN_UNSPECIFIED_PACKAGE_RECOMMENDS "g++, cmake, libeigen3-dev, libspectra-dev, libtbb-dev, protrusion-segmentation-tools")
 set(CPACK_COMPONENT_UNSPECIFIED_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
+
+if(PROTRUSION_SEGMENTATION_BUILD_TOOLS)
+  list(APPEND CPACK_COMPONENTS_ALL tools)
+  set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME protrusion-segmentation-tools)
+  set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION graphics)
+  set(CPACK_COMPONENT_TOOLS_DESCRIPTION "${CPACK_PACKAGE_DESCRIPTION}")
+endif()
 
 # The module is compiled for one minor version of Python.
 if(TARGET protrusion_segmentation_python)

@@ -17,7 +17,7 @@ jobs=${JOBS:-$(nproc)}
 
 # With -O1: CGAL's default takes twice as long to compile.
 # shellcheck disable=SC2086 # the options are words
-cmake -S "$folder" -B "$build" -G Ninja -DCGAL_DIR="$cgal_dir" -DCMAKE_BUILD_TYPE=Release \
+cmake -S "$folder" -B "$build" -G Ninja -DCGAL_DIR="$cgal_dir" -DBUILD_TESTING=ON -DCMAKE_BUILD_TYPE=Release \
       -DCMAKE_CXX_FLAGS_RELEASE="-O1 -DNDEBUG" ${CMAKE_OPTIONS:-}
 if [ $# = 0 ]; then
   cmake --build "$build" -j "$jobs"

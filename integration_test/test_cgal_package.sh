@@ -28,6 +28,7 @@ package=$work/tree/Protrusion_segmentation
 "$root/scripts/cgal/make_package.sh" "$work/tree" "$cgal" 2>/dev/null && fail "a tree is written over"
 license=$work/tree/Installation/include/CGAL/license/Protrusion_segmentation.h
 grep -q CGAL_PROTRUSION_SEGMENTATION_COMMERCIAL_LICENSE "$license" || fail "there is no header of the license"
+grep -q "see include/CGAL/license/README.md" "$license" || fail "the header of the license names another README.md than CGAL 6 has"
 grep -qi "surface_mesh_segmentation" "$license" && fail "the header of the license names another package"
 [ "$(ls "$work/tree")" = "$(printf 'Installation\nProtrusion_segmentation')" ] || fail "there is more in the tree"
 
@@ -45,6 +46,7 @@ shows()
 }
 
 append() { printf "$2" >> "$1"; }
+shell() { bash -c "$1"; }
 
 header=include/CGAL/segmentation_metrics.h
 test=test/Protrusion_segmentation/test_SEG.cpp
@@ -57,6 +59,8 @@ shows "a tab" append $test '\t// x\n'
 shows "a blank at the end of a line" append $test '// x \n'
 shows "has no line end at its end" append $test '// x'
 shows "min or max without ( )" append $test 'int m = std::max(1, 2);\n'
+shows "min or max without ( )" append $test '/* x */\nint m = std::numeric_limits<int>::max(); // a "string"\n'
+shows "min or max without ( )" append $test 'const char* s = "// x"; int m = generator.max();\n'
 shows "a macro that does not begin with CGAL_" sed -i '$i#define MINE' $header
 shows "has not its include guard" sed -i '0,/^#ifndef CGAL_/s//#ifndef CGAL_X/' $header
 shows "has no copyright line" sed -i '1s/.*/\/\//' $test
@@ -68,6 +72,10 @@ shows "does not exist, but is named in test.*" \
   append test/Protrusion_segmentation/CMakeLists.txt 'create_single_source_cgal_program("test_x.cpp")\n'
 shows "does not begin with cmake_minimum_required" sed -i '/^cmake_minimum_required/d' examples/Protrusion_segmentation/CMakeLists.txt
 shows "has another project" sed -i 's/_Benchmark)/)/' benchmark/Protrusion_segmentation/CMakeLists.txt
+shows "makes targets of dashboards in all of CGAL" \
+  append examples/Protrusion_segmentation/CMakeLists.txt 'include(CTest)\n'
+shows "has no .cpp file itself" shell 'cd benchmark/Protrusion_segmentation && mv kernel_benchmark.cpp Quality/ &&
+  sed -i "s/\"kernel_benchmark/\"Quality\/kernel_benchmark/" CMakeLists.txt'
 shows "is not in examples.txt" sed -i 1d doc/Protrusion_segmentation/examples.txt
 shows "all_public_headers.h disagrees about" \
   sed -i '/IO.SEG/d' test/Protrusion_segmentation/include/all_public_headers.h

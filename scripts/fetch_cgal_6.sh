@@ -3,10 +3,15 @@
 #
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Unpacks the headers of CGAL 6 from the next Debian release into a folder, beside the installed
+# fetch_cgal_6.sh FOLDER [SUITE [PACKAGE...]]
+#
+# Unpacks the headers of CGAL 6 from another Debian release into a folder, beside the installed
 # CGAL, and prints the value for CMake's CGAL_DIR:
 #
 #   cmake -DCGAL_DIR="$(fetch_cgal_6.sh FOLDER)" ...
+#
+# SUITE is trixie by default, the release after bookworm, with CGAL 6.0.1. Further packages of CGAL
+# from there are unpacked besides.
 #
 # The archive is the one that this machine's own apt sources name. Nothing is installed, and
 # neither the sources nor the package lists of the machine change. What FOLDER already holds is
@@ -14,7 +19,6 @@
 
 set -eu
 
-suite=trixie # Debian 13, the release after bookworm: CGAL 6.0.1, header-only
 package=libcgal-dev
 
 fail()
@@ -23,9 +27,11 @@ fail()
   exit 1
 }
 
-[ $# -eq 1 ] || { echo "usage: fetch_cgal_6.sh FOLDER" >&2; exit 2; }
+[ $# -ge 1 ] || { echo "usage: fetch_cgal_6.sh FOLDER [SUITE [PACKAGE...]]" >&2; exit 2; }
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
+suite=${2:-trixie}
+[ $# -le 2 ] && shift $# || shift 2
 
 # The folder under lib/ is named after the machine's architecture.
 cgal_dir()
@@ -61,8 +67,11 @@ then
             -o APT::Sandbox::User=root "$@" >&2
   }
   in_suite update || fail "cannot read the package lists of $suite from $uri"
-  (cd "$apt_folder" && in_suite download "$package") || fail "cannot download $package of $suite"
-  dpkg -x "$apt_folder/$package"_*.deb "$apt_folder/unpacked"
+  (cd "$apt_folder" && in_suite download "$package" "$@") || fail "cannot download $package of $suite"
+  for archive in "$apt_folder"/*.deb
+  do
+    dpkg -x "$archive" "$apt_folder/unpacked"
+  done
   mv "$apt_folder/unpacked/usr" "$folder/usr" # at once: an interrupted run leaves no half of it
   rm -rf "$apt_folder"
 fi

@@ -10,8 +10,8 @@
 #include "ui_Protrusion_segmentation_widget.h"
 
 #include <CGAL/Protrusion_segmentation/Histogram_method.h>
-#include <CGAL/Three/Polyhedron_demo_plugin_helper.h>
-#include <CGAL/Three/Polyhedron_demo_plugin_interface.h>
+#include <CGAL/Three/CGAL_Lab_plugin_helper.h>
+#include <CGAL/Three/CGAL_Lab_plugin_interface.h>
 #include <CGAL/Three/Scene_group_item.h>
 #include <CGAL/Three/Three.h>
 #include <CGAL/boost/graph/Face_filtered_graph.h>
@@ -70,12 +70,11 @@ QColor segment_color(std::size_t segment)
 
 } // namespace
 
-class Polyhedron_demo_protrusion_segmentation_plugin : public QObject,
-                                                       public CGAL::Three::Polyhedron_demo_plugin_helper
+class Protrusion_segmentation_plugin : public QObject, public CGAL::Three::CGAL_Lab_plugin_helper
 {
   Q_OBJECT
-  Q_INTERFACES(CGAL::Three::Polyhedron_demo_plugin_interface)
-  Q_PLUGIN_METADATA(IID "com.geometryfactory.PolyhedronDemo.PluginInterface/1.0")
+  Q_INTERFACES(CGAL::Three::CGAL_Lab_plugin_interface)
+  Q_PLUGIN_METADATA(IID "com.geometryfactory.CGALLab.PluginInterface/1.0")
 
 public:
   QList<QAction*> actions() const override { return {m_action}; }
@@ -119,7 +118,7 @@ public Q_SLOTS:
     m_dock->raise();
   }
 
-  // Computes the hierarchy of the selected mesh, and shows as many segments as are evident.
+  // Computes the hierarchy of the selected mesh, and shows as many segments as the method finds.
   void segment()
   {
     take_selected_item();
@@ -129,7 +128,7 @@ public Q_SLOTS:
         Progress_visitor visitor(mw);
         const auto np = CGAL::parameters::visitor(std::ref(visitor));
         Segment_map segments = segment_map(mesh);
-        const std::size_t evident =
+        const std::size_t number =
           with_method([&](const auto& method)
                       { return CGAL::segmentation_via_protrusion_tips(mesh, segments, method, np); });
         const std::size_t largest = (std::min<std::size_t>)(num_faces(mesh), m_widget.maximum_box->value());
@@ -137,8 +136,8 @@ public Q_SLOTS:
           return;
         Protrusions::Segment_hierarchy hierarchy =
           with_method([&](const auto& method)
-                      { return CGAL::protrusion_hierarchy(mesh, (std::max)(largest, evident), method, np); });
-        take_hierarchy(std::move(hierarchy), evident);
+                      { return CGAL::protrusion_hierarchy(mesh, (std::max)(largest, number), method, np); });
+        take_hierarchy(std::move(hierarchy), number);
       });
   }
 
@@ -276,7 +275,12 @@ private:
     return mesh.add_property_map<face_descriptor, std::size_t>("f:protrusion_segment", 0).first;
   }
 
-  void take_selected_item() { take_item(getSelectedItem<Scene_surface_mesh_item>()); }
+  void take_selected_item()
+  {
+    // A click on a sphere selects the spheres. The mesh below them stays the one to work on.
+    if (!m_spheres || scene->item(scene->mainSelectionIndex()) != m_spheres)
+      take_item(getSelectedItem<Scene_surface_mesh_item>());
+  }
 
   void take_item(Scene_surface_mesh_item* item)
   {
@@ -357,7 +361,7 @@ private:
   }
 
   // of the spheres: easily seen, and hides little
-  double tip_radius() const { return 0.01 * m_item->diagonalBbox(); }
+  double tip_radius() const { return 0.01 * m_item->bboxDiagonal(); }
 
   static face_descriptor nearest_face(const SMesh& mesh, const Point_3& point)
   {

@@ -6,7 +6,7 @@
 # check_headers.sh public|all [OPTION...]
 #
 # Every header compiles alone, and twice in a row, without a warning: without Eigen, Spectra and TBB, as CGAL checks it, or
-# with what OPTIONs for the compiler, CXX, by default g++, name.
+# with what OPTIONs for the compiler, CXX, by default g++, name. Together they compile where the words of Qt are macros.
 
 set -euo pipefail
 which=${1:?usage: check_headers.sh public|all [OPTION...]}
@@ -21,4 +21,9 @@ xargs -P "${JOBS:-$(nproc)}" -I '{}' bash -c '
   shift
   printf "#include <%s>\n" "$header" "$header" | "$@" -std=c++17 -fsyntax-only -Wall -Wextra -Werror -I . -x c++ - ||
     { echo "check_headers.sh: $header does not compile alone" >&2; exit 1; }' _ '{}' "${CXX:-g++}" "$@" <<<"$headers"
-echo "$(wc -l <<<"$headers") headers compile alone${*:+ with $*}"
+# Qt defines these unless QT_NO_KEYWORDS is set.
+sed 's/.*/#include <&>/' <<<"$headers" |
+  "${CXX:-g++}" "$@" -std=c++17 -fsyntax-only -Wall -Wextra -Werror -I . -x c++ - \
+    -Dslots= -Demit= -Dsignals=public '-Dforeach(variable,range)=for (variable : range)' ||
+  { echo "check_headers.sh: the headers do not compile where slots, emit, signals and foreach are macros" >&2; exit 1; }
+echo "$(wc -l <<<"$headers") headers compile alone, and together with the macros of Qt${*:+; with $*}"

@@ -55,9 +55,13 @@ grep -nP '[ \t]$' "${texts[@]}" | none "a blank at the end of a line"
 grep -nP '\r$' "${texts[@]}" | none "a DOS line end"
 perl -0777 -ne 'print "$ARGV\n" if /[^\n]\z/' "${texts[@]}" | none "has no line end at its end"
 
-# On Windows min and max may be macros. Comments and strings are left out.
-sed -E 's/"([^"\\]|\\.)*"/""/g; s://.*::' "${code[@]}" | sed '/\/\*/,/\*\//d' |
-  grep -P '(^|[^\w.>])(std::|\w+::)*(min|max)\s*\(' | grep -vP '\(\s*[\w:<>]*(min|max)\s*\)\s*\(' | none "min or max without ( )"
+# On Windows min and max may be macros. Strings and comments are left out; the line ends of comments stay.
+perl -0777 -ne '
+  s{("(?:[^"\\\n]|\\.)*"|\x27(?:[^\x27\\\n]|\\.)\x27)|//[^\n]*|(/\*.*?\*/)}
+   {$1 ? q("") : defined $2 ? $2 =~ s/[^\n]+/ /gr : ""}egs;
+  my $line = 0;
+  for (split /\n/) { ++$line; print "$ARGV:$line:$_\n" if /\b(?:min|max)\s*\(/ }' "${code[@]}" |
+  none "min or max without ( )"
 grep -nE '^ *# *define' "${headers[@]}" | grep -vE '# *define +CGAL_' | none "a macro that does not begin with CGAL_"
 
 perl -0777 -ne '
@@ -90,6 +94,10 @@ for part in test examples benchmark; do
     grep -vxFf <(sed -nE 's/^ *create_single_source_cgal_program\("([^"]*)".*/\1/p' "$list") | none "has no program in $list"
   [ "$(awk '!/^ *(#|$)/ { print; exit }' "$part/$name/CMakeLists.txt")" = 'cmake_minimum_required(VERSION 3.12...3.31)' ] ||
     echo "$part/$name/CMakeLists.txt" | none "does not begin with cmake_minimum_required"
+done
+grep -n 'include(CTest)' {test,examples,benchmark}/$name/CMakeLists.txt | none "makes targets of dashboards in all of CGAL"
+for part in test examples benchmark; do # CGAL passes over a folder without
+  [ -n "$(find $part/$name -maxdepth 1 -name '*.cpp')" ] || echo "$part/$name" | none "has no .cpp file itself"
 done
 for pair in test:Tests examples:Examples benchmark:Benchmark; do
   grep -qx "project(${name}_${pair#*:})" "${pair%:*}/$name/CMakeLists.txt" ||

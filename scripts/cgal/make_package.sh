@@ -11,7 +11,8 @@
 #   FOLDER/Installation/include/CGAL/license/Protrusion_segmentation.h as CGAL generates it for a package under the GPL
 #
 # FOLDER must not exist or be empty. The header of the license is made from another package's in CGAL_INCLUDE_FOLDER
-# (default: /usr/include). What is left to do by hand is in scripts/cgal/for_maintainers.md.
+# (default: /usr/include), and is the same from CGAL 5.5 and from CGAL 6. What is left to do by
+# hand is in scripts/cgal/for_maintainers.md.
 
 set -euo pipefail
 name=Protrusion_segmentation
@@ -69,7 +70,8 @@ other=Surface_mesh_segmentation
 other_title=$(sed -nE 's/.*this release of the (.*) package\.".*/\1/p' "$template")
 [ -n "$other_title" ] || fail "$template has another form than it used to have"
 sed -e '/\$URL/s/.*/\/\/ $URL$/' -e '/\$Id/s/.*/\/\/ $Id$/' -e "s/$other/$name/g" -e "s/${other^^}/${name^^}/g" \
-    -e "s/$other_title/$title/g" "$template" > "$license"
+    -e "s/$other_title/$title/g" \
+    -e 's#CGAL/licence/README#CGAL/license/README#' "$template" > "$license"
 
 find "$folder" -type d -exec chmod 755 {} +
 find "$folder" -type f -exec chmod 644 {} +

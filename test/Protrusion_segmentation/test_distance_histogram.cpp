@@ -33,11 +33,11 @@ void slots_hold_the_faces_at_their_distances()
     std::vector<double> distances;
     Shortest_distances shortest(surface);
     shortest(Index(seed % 40), distances);
-    const Slots slots(distances);
+    const Slots tip_slots(distances);
     const Distance_histogram histogram(distances);
     const std::size_t few = seed % 20;
     const Slots first_slots(distances, histogram, few);
-    CHECK_EQUAL(slots.number(), number_of_slots);
+    CHECK_EQUAL(tip_slots.number(), number_of_slots);
     CHECK_EQUAL(first_slots.number(), few);
     CHECK_EQUAL(histogram.range, *std::max_element(distances.begin(), distances.end()));
     CHECK_EQUAL(histogram.slot(0), 0);
@@ -47,10 +47,10 @@ void slots_hold_the_faces_at_their_distances()
     const double rounding = 1e-12 * histogram.range;
     for (std::size_t slot = 0; slot < number_of_slots; ++slot)
     {
-      CHECK_EQUAL(slots.faces(slot).size(), histogram.counts[slot]);
-      CHECK(std::is_sorted(slots.faces(slot).begin(), slots.faces(slot).end()));
-      CHECK(slot >= few || slots.faces(slot) == first_slots.faces(slot));
-      for (const Index f : slots.faces(slot))
+      CHECK_EQUAL(tip_slots.faces(slot).size(), histogram.counts[slot]);
+      CHECK(std::is_sorted(tip_slots.faces(slot).begin(), tip_slots.faces(slot).end()));
+      CHECK(slot >= few || tip_slots.faces(slot) == first_slots.faces(slot));
+      for (const Index f : tip_slots.faces(slot))
       {
         CHECK(distances[f] >= histogram.slot_begin(slot) - rounding);
         CHECK(distances[f] < histogram.slot_begin(slot + 1) + (slot == 99 ? 1 : rounding));

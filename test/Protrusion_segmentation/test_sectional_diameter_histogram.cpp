@@ -64,10 +64,10 @@ private:
 
   static std::array<double, number_of_slots> histogram(const Indexed_surface& surface,
                                                        const std::vector<double>& distances,
-                                                       const Slots& slots)
+                                                       const Slots& tip_slots)
   {
     Plane_section section(surface);
-    return sectional_diameter_histogram(surface, distances, slots, section, quiet_execution());
+    return sectional_diameter_histogram(surface, distances, tip_slots, section, quiet_execution());
   }
 
   Indexed_surface m_surface;

@@ -224,7 +224,7 @@ void test_same_segmentation_up_to_ids()
   const Labels labels = random_labels(20, 4, 3);
   Labels renamed;
   for (const int label : labels)
-    renamed.push_back(std::vector<int>{-5, std::numeric_limits<int>::max(), 1000, 0}[std::size_t(label)]);
+    renamed.push_back(std::vector<int>{-5, (std::numeric_limits<int>::max)(), 1000, 0}[std::size_t(label)]);
   const Metrics m = metrics_of(mesh, labels, renamed);
   check_no_error(m);
   CHECK_EQUAL(m.cut_discrepancy.value(), 0);

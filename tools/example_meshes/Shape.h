@@ -52,7 +52,7 @@ public:
   {
     const Vector v = p - m_from.center;
     const double along = v * m_axis;
-    const double across = std::sqrt(std::max(0., v.squared_length() - along * along));
+    const double across = std::sqrt((std::max)(0., v.squared_length() - along * along));
     const double t = std::clamp(along + across * m_lean, 0., m_length); // of the nearest ball
     return std::sqrt((along - t) * (along - t) + across * across) - (m_from.radius + t * m_slope);
   }
@@ -73,7 +73,7 @@ public:
   {
     for (std::size_t i = 0; i + 1 < balls.size(); ++i)
       add_span(balls[i == 0 ? 0 : i - 1], balls[i], balls[i + 1],
-               balls[std::min(i + 2, balls.size() - 1)]);
+               balls[(std::min)(i + 2, balls.size() - 1)]);
   }
 
   CGAL::Bbox_3 bbox() const
@@ -95,7 +95,7 @@ public:
                              - span.bounds.radius;
       if (to_bounds < limit)
         for (const Cone& cone : span.cones)
-          limit = std::min(limit, cone.distance(p));
+          limit = (std::min)(limit, cone.distance(p));
     }
     return limit;
   }
@@ -117,7 +117,7 @@ private:
       const Ball next = spline(a, b, c, d, double(i) / cones);
       const double center_distance = std::sqrt(CGAL::squared_distance(span.bounds.center,
                                                                       next.center));
-      span.bounds.radius = std::max(span.bounds.radius, center_distance + next.radius);
+      span.bounds.radius = (std::max)(span.bounds.radius, center_distance + next.radius);
       if (i > 0)
         span.cones.emplace_back(last, next);
       last = next;
@@ -149,14 +149,14 @@ struct Block
 
   double distance(const Point& p) const
   {
-    double squared_outside = 0, inside = -std::numeric_limits<double>::max();
+    double squared_outside = 0, inside = -(std::numeric_limits<double>::max)();
     for (int i = 0; i < 3; ++i)
     {
       const double d = std::abs(p[i] - center[i]) - (half_size[i] - rounding);
       squared_outside += d > 0 ? d * d : 0;
-      inside = std::max(inside, d);
+      inside = (std::max)(inside, d);
     }
-    return std::sqrt(squared_outside) + std::min(inside, 0.) - rounding;
+    return std::sqrt(squared_outside) + (std::min)(inside, 0.) - rounding;
   }
 };
 
@@ -203,7 +203,7 @@ struct Shape
     auto add_distance = [&](double distance)
     {
       distances.push_back(distance);
-      nearest = std::min(nearest, distance);
+      nearest = (std::min)(nearest, distance);
     };
     for (const Block& block : blocks)
       add_distance(block.distance(p));

@@ -38,7 +38,7 @@ tool::Mesh mesh_of_shape(const Shape& shape, std::size_t number_of_faces)
   const double wanted = 1.12 * double(number_of_faces);
   const Test_mesh rough = fine_mesh(shape, thinnest);
   double edge = std::sqrt(4 / std::sqrt(3.) * test_meshes::area(rough) / wanted);
-  const tool::Mesh fine = test_meshes::to_graph<tool::Mesh>(fine_mesh(shape, std::min(1.2 * edge, thinnest)));
+  const tool::Mesh fine = test_meshes::to_graph<tool::Mesh>(fine_mesh(shape, (std::min)(1.2 * edge, thinnest)));
   for (;;)
   {
     tool::Mesh mesh = fine;

@@ -120,7 +120,7 @@ std::vector<std::vector<Normal>> normals_of(const Polygon_soup& soup)
 Gltf_frame::Gltf_frame(const std::vector<Point>& points, const std::string& up) : m_is_turned(up == "z")
 {
   // A mesh that is so many times as far from the origin as it is large loses as many of the 24 bits of its coordinates.
-  constexpr double far = 64;
+  constexpr double farthest = 64;
   constexpr double largest = 1e30,
                    smallest = 1e-30; // squares and products of these are no matter for single precision
   const Ball ball = bounding_ball(points);
@@ -128,7 +128,7 @@ Gltf_frame::Gltf_frame(const std::vector<Point>& points, const std::string& up) 
     m_scale = ball.radius;
   const double distance = (std::max)(
     {std::abs(ball.center[0]), std::abs(ball.center[1]), std::abs(ball.center[2])});
-  if (m_scale != 1 || distance > far * ball.radius)
+  if (m_scale != 1 || distance > farthest * ball.radius)
     m_center = ball.center;
 }
 

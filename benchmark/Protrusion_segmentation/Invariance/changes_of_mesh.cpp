@@ -75,7 +75,7 @@ Changed_mesh jittered(const Mesh& mesh, double distance)
 {
   std::mt19937 generator(1);
   std::vector<Vector> steps(mesh.number_of_vertices() + mesh.number_of_removed_vertices());
-  const auto step = [&]() { return distance * (double(generator()) / double(generator.max()) * 2 - 1); };
+  const auto step = [&]() { return distance * (double(generator()) / double((generator.max)()) * 2 - 1); };
   Mesh other = mesh;
   for (const Vertex v : other.vertices())
   {

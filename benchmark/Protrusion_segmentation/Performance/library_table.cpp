@@ -137,11 +137,11 @@ Slicer_mesh mesh_of(const PS::Indexed_surface& surface)
 // The planes of all slots of the histograms from the first face.
 struct Planes_of_tip
 {
-  explicit Planes_of_tip(const PS::Indexed_surface& surface) : distances(distances_on(surface)), slots(distances)
+  explicit Planes_of_tip(const PS::Indexed_surface& surface) : distances(distances_on(surface)), tip_slots(distances)
   {
     for (std::size_t s = 0; s < PS::internal::number_of_slots; ++s)
-      if (!slots.faces(s).empty())
-        planes.push_back(PS::internal::plane_of_slot(surface, distances, slots, s));
+      if (!tip_slots.faces(s).empty())
+        planes.push_back(PS::internal::plane_of_slot(surface, distances, tip_slots, s));
   }
 
   static std::vector<double> distances_on(const PS::Indexed_surface& surface)
@@ -153,7 +153,7 @@ struct Planes_of_tip
   }
 
   std::vector<double> distances;
-  PS::internal::Slots slots;
+  PS::internal::Slots tip_slots;
   std::vector<PS::internal::Section_plane> planes;
 };
 
@@ -175,7 +175,7 @@ Times_of_sections times_of_sections(const Model& model, const Options& options)
   Times_of_sections result;
   result.ours = seconds_of(
     options.repetitions,
-    [&] { PS::internal::sectional_diameter_histogram(surface, tip.distances, tip.slots, section, execution); });
+    [&] { PS::internal::sectional_diameter_histogram(surface, tip.distances, tip.tip_slots, section, execution); });
 
   const Slicer_mesh mesh = mesh_of(surface);
   Tree tree;

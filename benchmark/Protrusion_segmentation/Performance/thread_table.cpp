@@ -85,14 +85,14 @@ void print_rows(const Options& options, const Benchmark_folder& folder, const Ma
   PS::internal::Shortest_distances shortest_distances(surface);
   std::vector<double> distances;
   shortest_distances(0, distances);
-  const PS::internal::Slots slots(distances);
+  const PS::internal::Slots tip_slots(distances);
   PS::internal::Plane_section section(surface);
   print_row(table, "sections of 20 tips", "1.8", options,
             [&](auto tag)
             {
               PS::Execution execution(0, PS::internal::is_parallel<decltype(tag)>());
               for (int i = 0; i < 20; ++i)
-                PS::internal::sectional_diameter_histogram(surface, distances, slots, section, execution);
+                PS::internal::sectional_diameter_histogram(surface, distances, tip_slots, section, execution);
             });
 
   print_whole_row(table, "the paper's method with LGD(5)", "1.8", options, model,

@@ -58,8 +58,8 @@ inline std::vector<Inflection> inflection_points(const std::array<double, number
 {
   constexpr std::size_t width = Inflection_windows::width, first_slot = Inflection_windows::first_slot;
   const std::array<double, number_of_slots> smooth = moving_average(diameters, Inflection_windows::smoothing_radius);
-  const auto growth_over = [&smooth](std::size_t slot, std::size_t slots)
-  { return smooth[slot] > 0 ? std::log(smooth[slot + slots] / smooth[slot]) : 0.; };
+  const auto growth_over = [&smooth](std::size_t slot, std::size_t number)
+  { return smooth[slot] > 0 ? std::log(smooth[slot + number] / smooth[slot]) : 0.; };
 
   std::array<double, number_of_slots> growth{};
   for (std::size_t s = first_slot; s + width < (std::min)(number_of_diameters, number_of_slots); ++s)
@@ -126,8 +126,8 @@ inline void measure_diameters(const Indexed_surface& surface,
                               Execution& execution,
                               Tip_record& record)
 {
-  const Slots slots(distances, record.histogram, number);
-  record.diameters = sectional_diameter_histogram(surface, distances, slots, section, execution);
+  const Slots tip_slots(distances, record.histogram, number);
+  record.diameters = sectional_diameter_histogram(surface, distances, tip_slots, section, execution);
   record.number_of_diameters = number;
 }
 

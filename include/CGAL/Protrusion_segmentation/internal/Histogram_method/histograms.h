@@ -79,11 +79,11 @@ private:
                                      const Distance_histogram& histogram,
                                      std::size_t number)
   {
-    std::vector<Index> slots;
-    slots.reserve(distances.size());
+    std::vector<Index> slot_of_face;
+    slot_of_face.reserve(distances.size());
     for (double d : distances)
-      slots.push_back(static_cast<Index>((std::min)(histogram.slot(d), number)));
-    return slots;
+      slot_of_face.push_back(static_cast<Index>((std::min)(histogram.slot(d), number)));
+    return slot_of_face;
   }
 
   Index_groups m_faces;
@@ -150,7 +150,7 @@ inline std::vector<Slot_interval> candidate_intervals(const Distance_histogram& 
 // direction in which the distance grows there (the gradient over all arcs that leave a face of the ring).
 inline Section_plane plane_of_slot(const Indexed_surface& surface,
                                    const std::vector<double>& distances,
-                                   const Slots& slots,
+                                   const Slots& tip_slots,
                                    std::size_t slot)
 {
   using Index = Indexed_surface::Index;
@@ -158,7 +158,7 @@ inline Section_plane plane_of_slot(const Indexed_surface& surface,
   Vector_3 centre(0, 0, 0), growth(0, 0, 0);
   double area = 0;
   const Indexed_surface::Point_3 origin(0, 0, 0);
-  for (Index f : slots.faces(slot))
+  for (Index f : tip_slots.faces(slot))
   {
     const Indexed_surface::Point_3 centroid = surface.centroid(f);
     area += surface.area(f);
@@ -172,20 +172,20 @@ inline Section_plane plane_of_slot(const Indexed_surface& surface,
           growth += (surface.area(f) * (distances[g] - distances[f]) / (length * length)) * arc;
       }
   }
-  return {area > 0 ? origin + centre / area : surface.centroid(slots.faces(slot).front()), growth};
+  return {area > 0 ? origin + centre / area : surface.centroid(tip_slots.faces(slot).front()), growth};
 }
 
 // The diameter of the component of the section that lies nearest to the centre of the ring; 0 if the plane
 // crosses no face of the ring.
 inline double diameter_of_slot(const Section_plane& plane,
-                               const Slots& slots,
+                               const Slots& tip_slots,
                                std::size_t slot,
                                Plane_section& section)
 {
   std::vector<Indexed_surface::Point_3> points, nearest_points;
   double nearest = (std::numeric_limits<double>::infinity)();
   section.start();
-  for (Indexed_surface::Index f : slots.faces(slot))
+  for (Indexed_surface::Index f : tip_slots.faces(slot))
   {
     points.clear();
     section.component(f, plane, points);
@@ -203,26 +203,26 @@ inline double diameter_of_slot(const Section_plane& plane,
 
 // The sectional-diameter histogram of Section III.D.2: for each slot of the distance histogram the diameter
 // of the surface's section there, in the unit of `surface`. A slot without a section takes the diameter of the
-// slot before it. Slots that are not in `slots` get 0.
+// slot before it. Slots that are not in `tip_slots` get 0.
 inline std::array<double, number_of_slots> sectional_diameter_histogram(
   const Indexed_surface& surface,
   const std::vector<double>& distances,
-  const Slots& slots,
+  const Slots& tip_slots,
   Plane_section& section,
   Execution& execution)
 {
   std::array<double, number_of_slots> diameters{};
   for_each_index(
-    slots.number(), execution.is_parallel(), section,
+    tip_slots.number(), execution.is_parallel(), section,
     [&](Plane_section& section_of_thread, std::size_t s)
     {
       execution.check();
-      if (!slots.faces(s).empty())
-        diameters[s] = diameter_of_slot(plane_of_slot(surface, distances, slots, s), slots, s,
+      if (!tip_slots.faces(s).empty())
+        diameters[s] = diameter_of_slot(plane_of_slot(surface, distances, tip_slots, s), tip_slots, s,
                                         section_of_thread);
     },
     [](const Plane_section&) {});
-  for (std::size_t s = 1; s < slots.number(); ++s)
+  for (std::size_t s = 1; s < tip_slots.number(); ++s)
     if (diameters[s] == 0)
       diameters[s] = diameters[s - 1];
   return diameters;

@@ -71,13 +71,13 @@ public:
     std::vector<
       std::tuple<double, Polygon_soup::Point_3, Polygon_soup::Point_3, std::size_t, std::size_t>>
       pairs;
-    for (const Near_point& near : m_near)
-      for (const std::size_t end : m_sides[near.side])
-        if (const double d = std::sqrt(squared_distance(m_soup.points[end], m_soup.points[near.point]));
+    for (const Near_point& near_point : m_near)
+      for (const std::size_t end : m_sides[near_point.side])
+        if (const double d = std::sqrt(squared_distance(m_soup.points[end], m_soup.points[near_point.point]));
             d <= m_tolerance)
         {
-          const auto [a, b] = std::minmax({m_soup.points[end], m_soup.points[near.point]});
-          pairs.emplace_back(d, a, b, end, near.point);
+          const auto [a, b] = std::minmax({m_soup.points[end], m_soup.points[near_point.point]});
+          pairs.emplace_back(d, a, b, end, near_point.point);
         }
     std::sort(pairs.begin(), pairs.end()); // the nearest first
     std::size_t count = 0;
@@ -100,10 +100,10 @@ public:
         neighbors[end].insert(start);
       }
     std::map<std::size_t, std::map<std::size_t, double>> on_side; // the positions of places
-    for (const Near_point& near : m_near)
-      if (const std::size_t place = place_of(near.point);
-          m_is_open[near.side] && !is_end(place, near.side))
-        on_side[near.side].emplace(place, near.position);
+    for (const Near_point& near_point : m_near)
+      if (const std::size_t place = place_of(near_point.point);
+          m_is_open[near_point.side] && !is_end(place, near_point.side))
+        on_side[near_point.side].emplace(place, near_point.position);
     std::map<std::size_t, std::vector<std::pair<double, std::size_t>>>
       corners; // of each side, in its direction
     std::size_t count = 0;

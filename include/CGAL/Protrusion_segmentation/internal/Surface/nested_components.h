@@ -164,10 +164,10 @@ private:
                             [&](const Box& a, const Box& b)
                             {
                               const bool is_a_larger = m_volume[a.info()] > m_volume[b.info()];
-                              const auto& [large, small] = is_a_larger ? std::tie(a, b) : std::tie(b, a);
-                              const Bbox_3 box = large.bbox();
-                              if (box + small.bbox() == box)
-                                m_around[large.info()].push_back(small.info());
+                              const auto& [larger, smaller] = is_a_larger ? std::tie(a, b) : std::tie(b, a);
+                              const Bbox_3 box = larger.bbox();
+                              if (box + smaller.bbox() == box)
+                                m_around[larger.info()].push_back(smaller.info());
                             });
     std::vector<std::vector<Index>> inside = std::exchange(
       m_around, std::vector<std::vector<Index>>(m_around.size()));

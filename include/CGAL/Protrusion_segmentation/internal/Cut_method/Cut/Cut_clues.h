@@ -57,15 +57,15 @@ public:
     constexpr double least_widening = 1e-6;
     const double width = strip_width * std::sqrt(bisection.smaller_area());
     const Graph_partition& partition = bisection.partition();
-    const Nodes_by_distance near = m_distances(
+    const Nodes_by_distance near_nodes = m_distances(
       along_cut, [&](Index, Index to) { return partition.is_on_side(to, inner); }, m_graph.lengths(),
       width + m_largest_size / 2);
     double area = 0;
     Vector_3 area_vector(0, 0, 0);
-    for (std::size_t i = 0; i < near.nodes.size(); ++i)
+    for (std::size_t i = 0; i < near_nodes.nodes.size(); ++i)
     {
-      const Index node = near.nodes[i];
-      const double share = share_of_strip(width - near.distances[i], m_graph.area[node]);
+      const Index node = near_nodes.nodes[i];
+      const double share = share_of_strip(width - near_nodes.distances[i], m_graph.area[node]);
       area += share * m_graph.area[node];
       area_vector += share * m_graph.area_vector[node];
     }

@@ -119,12 +119,12 @@ void sections_of_a_tip(benchmark::State& state)
   PS::internal::Shortest_distances shortest(input);
   std::vector<double> distances;
   shortest(0, distances);
-  const PS::internal::Slots slots(distances);
+  const PS::internal::Slots tip_slots(distances);
   PS::internal::Plane_section section(input);
   PS::Execution execution;
   for (auto _ : state)
     benchmark::DoNotOptimize(
-      PS::internal::sectional_diameter_histogram(input, distances, slots, section, execution));
+      PS::internal::sectional_diameter_histogram(input, distances, tip_slots, section, execution));
   count_faces(state, input);
 }
 
