@@ -19,7 +19,7 @@ namespace CGAL::Protrusion_segmentation::internal::connectors {
 class Connected_caps
 {
 public:
-  // New points are added to `points`. `is_up` says whether the peg is on the parent and rises into the segment.
+  // New points are added to `points`, `points_between` among them, which are given in the frame. `is_up` says whether the peg is on the parent and rises into the segment.
   // `is_taken(v, w)` says whether two vertices of the loop must not be joined.
   template <typename Is_taken>
   Connected_caps(const Cap_frame& frame,
@@ -27,6 +27,7 @@ public:
                  const std::vector<Point_2>& loop_in_frame,
                  const Prism& prism,
                  bool is_up,
+                 const std::vector<Point>& points_between,
                  const Is_taken& is_taken,
                  std::vector<Point>& points)
     : m_frame(frame),
@@ -36,7 +37,13 @@ public:
   {
     const std::vector<Ring> peg = prism.rings_of_peg(), socket = prism.rings_of_socket();
     const Loop foot = add_ring(socket.front());
-    add_triangles_between(loop, loop_in_frame, foot, prism.corners(socket.front().apothem), is_taken);
+    Triangulation_between triangulation(loop_in_frame, prism.corners(socket.front().apothem));
+    for (const Point& p : points_between)
+      triangulation.add_point(Point_2(p.x(), p.y()));
+    add_triangles_between(
+      loop, foot,
+      triangulation.triangulate([&](std::size_t i, std::size_t j) { return is_taken(loop[i], loop[j]); }),
+      points_between);
     m_with_peg = m_with_socket = m_between;
     if (prism.tolerance == 0)
     {
@@ -70,20 +77,16 @@ private:
     return corners;
   }
 
-  template <typename Is_taken>
   void add_triangles_between(const Loop& loop,
-                             const std::vector<Point_2>& loop_in_frame,
                              const Loop& foot,
-                             const std::vector<Point_2>& foot_in_frame,
-                             const Is_taken& is_taken)
+                             const Triangles_between& found,
+                             const std::vector<Point>& points_between)
   {
-    const Triangles_between found = Triangulation_between(loop_in_frame, foot_in_frame)
-                                      .triangulate([&](std::size_t i, std::size_t j)
-                                                   { return is_taken(loop[i], loop[j]); });
     Loop corners = loop;
     corners.insert(corners.end(), foot.begin(), foot.end());
-    for (const Point_2& p : found.further_points)
-      corners.push_back(add_point(p, 0));
+    for (std::size_t i = 0; i < found.further_points.size(); ++i)
+      corners.push_back(add_point(found.further_points[i],
+                                  i < points_between.size() ? m_sign * points_between[i].z() : 0));
     for (const auto& [a, b, c] : found.triangles)
       m_between.push_back(from_smallest({corners[a], corners[b], corners[c]}));
   }

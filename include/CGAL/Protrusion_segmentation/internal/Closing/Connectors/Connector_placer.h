@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -138,7 +139,7 @@ private:
     for (const double share : shares_of_radius)
     {
       result.status = try_to_place(share, c, seen, cap, result);
-      if (result.status == Connector_status::PLACED)
+      if (result.status == Connector_status::PLACED || result.status == Connector_status::CAP_NOT_FLAT)
         return;
       if (!first_problem)
         first_problem = result.status;
@@ -192,7 +193,8 @@ private:
                                                      : Connector_status::CAP_NOT_FLAT;
   }
 
-  // Leaves all as it was if the cap would cut something.
+  // Divides triangles of a cap that cut the surface, as long as there are more than of the flat cap. Leaves all as it was if
+  // that does not help.
   bool build(std::size_t c,
              const Seen_cap& seen,
              const Prism& prism,
@@ -200,6 +202,7 @@ private:
              Flat_cap& cap,
              Placed& result)
   {
+    constexpr int most_rounds = 6;
     const std::set<std::pair<std::size_t, std::size_t>> own_edges = edges_of(cap.of_parent);
     const auto is_taken = [&](std::size_t v, std::size_t w)
     {
@@ -207,13 +210,51 @@ private:
       return m_new_edges.count(edge) > 0 || (m_capper.is_edge(edge) && own_edges.count(edge) == 0);
     };
     const std::size_t number_of_points = m_points.size();
-    const Connected_caps built(seen.frame, cap.loop, seen.loop, prism, is_up, is_taken, m_points);
-    if (m_obstacles.are_cut_by(built.between()))
+    const std::size_t most_cuts = sum(m_obstacles.numbers_of_cuts(cap.of_parent));
+    std::vector<Point> points_between;
+    std::size_t last_number = (std::numeric_limits<std::size_t>::max)();
+    for (int round = 0; round < most_rounds; ++round)
     {
+      const Connected_caps built(seen.frame, cap.loop, seen.loop, prism, is_up, points_between, is_taken,
+                                 m_points);
+      const std::vector<std::size_t> cuts = m_obstacles.numbers_of_cuts(built.between());
+      if (sum(cuts) <= most_cuts)
+      {
+        use(c, seen, prism, is_up, built, cap, result);
+        return true;
+      }
+      for (std::size_t i = 0; i < cuts.size() && sum(cuts) < last_number; ++i)
+        if (cuts[i] > 0)
+          points_between.push_back(point_between(built.between()[i], seen.frame));
       m_points.resize(number_of_points);
-      m_obstacles.look_from(c, seen.frame);
-      return false;
+      if (sum(cuts) >= last_number)
+        return false;
+      last_number = sum(cuts);
     }
+    return false;
+  }
+
+  static std::size_t sum(const std::vector<std::size_t>& numbers)
+  {
+    return std::accumulate(numbers.begin(), numbers.end(), std::size_t(0));
+  }
+
+  // In the middle of the triangle, but in the solid.
+  Point point_between(const Triangle& triangle, const Cap_frame& frame) const
+  {
+    const Point middle = frame.to_local(
+      CGAL::centroid(m_points[triangle[0]], m_points[triangle[1]], m_points[triangle[2]]));
+    return Point(middle.x(), middle.y(), m_obstacles.height_in_solid(middle));
+  }
+
+  void use(std::size_t c,
+           const Seen_cap& seen,
+           const Prism& prism,
+           bool is_up,
+           const Connected_caps& built,
+           Flat_cap& cap,
+           Placed& result)
+  {
     m_obstacles.add(c, built.with_peg());
     m_obstacles.add(c, built.with_socket());
     for (const auto& edge : edges_of(built.between()))
@@ -229,7 +270,6 @@ private:
     result.radius = prism.radius;
     result.depth = prism.depth;
     result.tolerance = prism.tolerance;
-    return true;
   }
 
   static std::set<std::pair<std::size_t, std::size_t>> edges_of(const std::vector<Triangle>& triangles)

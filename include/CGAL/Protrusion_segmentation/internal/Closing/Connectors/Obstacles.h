@@ -15,7 +15,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal::connectors {
@@ -84,6 +86,7 @@ public:
     m_local.clear();
     for (const Point& p : m_points)
       m_local.push_back(frame.to_local(p));
+    m_number_of_old_points = m_points.size();
   }
 
   // Along an upright prism with the convex polygon as its base, which runs counterclockwise.
@@ -117,35 +120,27 @@ public:
   {
     double above = (std::numeric_limits<double>::max)(), below = above;
     bool is_good_above = false, is_good_below = false;
-    for (std::size_t t = 0; t < m_triangles.size() && m_cap_of_triangle[t] == no_cap; ++t)
-    {
-      const Point &a = m_local[m_triangles[t][0]], &b = m_local[m_triangles[t][1]],
-                  &c = m_local[m_triangles[t][2]];
-      const auto twice_area = [](const Point_2& q, const Point_2& r, const Point_2& s)
-      { return (r.x() - q.x()) * (s.y() - q.y()) - (r.y() - q.y()) * (s.x() - q.x()); };
-      const Point_2 a2(a.x(), a.y()), b2(b.x(), b.y()), c2(c.x(), c.y());
-      const double area = twice_area(a2, b2, c2);
-      const double u = twice_area(p, b2, c2) / area, v = twice_area(a2, p, c2) / area, w = 1 - u - v;
-      if (!(u >= 0 && v >= 0 && w >= 0)) // also if there is no area
-        continue;
-      const double height = u * a.z() + v * b.z() + w * c.z();
-      if (height >= 0 && height < above)
-      {
-        above = height;
-        is_good_above = area > 0;
-      }
-      if (height <= 0 && -height < below)
-      {
-        below = -height;
-        is_good_below = area < 0;
-      }
-    }
+    for_each_crossing(p,
+                      [&](double height, bool is_left)
+                      {
+                        if (height >= 0 && height < above)
+                        {
+                          above = height;
+                          is_good_above = is_left;
+                        }
+                        if (height <= 0 && -height < below)
+                        {
+                          below = -height;
+                          is_good_below = !is_left;
+                        }
+                      });
     return is_good_above && is_good_below;
   }
 
-  // Do some of the triangles, whose points may be new, cut obstacles or lie on them?
-  bool are_cut_by(const std::vector<Triangle>& triangles)
+  // The number of obstacles that each of the triangles cuts or lies on. Their points may be new.
+  std::vector<std::size_t> numbers_of_cuts(const std::vector<Triangle>& triangles)
   {
+    m_local.resize((std::min)(m_local.size(), m_number_of_old_points));
     for (std::size_t i = m_local.size(); i < m_points.size(); ++i)
       m_local.push_back(m_frame->to_local(m_points[i]));
     std::vector<Bbox_3> boxes;
@@ -155,16 +150,39 @@ public:
       boxes.push_back(box_of(triangle));
       whole += boxes.back();
     }
-    bool result = false;
+    std::vector<std::size_t> result(triangles.size(), 0);
     for_each_other(
       [&](const Triangle& other, const Bbox_3& box)
       {
-        if (result || !do_overlap(box, whole))
+        if (!do_overlap(box, whole))
           return;
-        for (std::size_t i = 0; i < triangles.size() && !result; ++i)
-          result = do_overlap(box, boxes[i]) && cut_each_other(triangles[i], other, m_points);
+        for (std::size_t i = 0; i < triangles.size(); ++i)
+          if (do_overlap(box, boxes[i]) && cut_each_other(triangles[i], other, m_points))
+            ++result[i];
       });
     return result;
+  }
+
+  // The nearest height over the point, given in the frame, that is well inside of a solid.
+  double height_in_solid(const Point& p) const
+  {
+    constexpr double margin = 0.25;   // of the thickness there
+    std::map<double, bool> crossings; // with whether the solid is left upwards
+    for_each_crossing(Point_2(p.x(), p.y()),
+                      [&](double height, bool is_left) { crossings.emplace(height, is_left); });
+    double best = p.z(), least_step = (std::numeric_limits<double>::max)();
+    for (auto top = crossings.begin(); top != crossings.end(); ++top)
+      if (top->second && top != crossings.begin() && !std::prev(top)->second)
+      {
+        const double low = std::prev(top)->first, high = top->first, space = margin * (high - low);
+        const double height = (std::min)((std::max)(p.z(), low + space), high - space);
+        if (std::abs(height - p.z()) < least_step)
+        {
+          least_step = std::abs(height - p.z());
+          best = height;
+        }
+      }
+    return best;
   }
 
 private:
@@ -173,6 +191,24 @@ private:
   Bbox_3 box_of(const Triangle& t) const
   {
     return m_local[t[0]].bbox() + m_local[t[1]].bbox() + m_local[t[2]].bbox();
+  }
+
+  // Calls `visit` with the height of each triangle of the mesh over a point, and whether it looks upwards.
+  template <typename Visit>
+  void for_each_crossing(const Point_2& p, const Visit& visit) const
+  {
+    const auto twice_area = [](const Point_2& q, const Point_2& r, const Point_2& s)
+    { return (r.x() - q.x()) * (s.y() - q.y()) - (r.y() - q.y()) * (s.x() - q.x()); };
+    for (std::size_t t = 0; t < m_triangles.size() && m_cap_of_triangle[t] == no_cap; ++t)
+    {
+      const Point &a = m_local[m_triangles[t][0]], &b = m_local[m_triangles[t][1]],
+                  &c = m_local[m_triangles[t][2]];
+      const Point_2 a2(a.x(), a.y()), b2(b.x(), b.y()), c2(c.x(), c.y());
+      const double area = twice_area(a2, b2, c2);
+      const double u = twice_area(p, b2, c2) / area, v = twice_area(a2, p, c2) / area, w = 1 - u - v;
+      if (u >= 0 && v >= 0 && w >= 0) // not if there is no area
+        visit(u * a.z() + v * b.z() + w * c.z(), area > 0);
+    }
   }
 
   template <typename Visit>
@@ -189,6 +225,7 @@ private:
   std::size_t m_cap = no_cap;
   const Cap_frame* m_frame = nullptr;
   std::vector<Point> m_local; // in the frame of the cap
+  std::size_t m_number_of_old_points = 0;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal::connectors

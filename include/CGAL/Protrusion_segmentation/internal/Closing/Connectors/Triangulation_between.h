@@ -45,12 +45,18 @@ public:
     add_polygon(inner);
   }
 
+  // Between the polygons. These are the first of the further points.
+  void add_point(const Point_2& p)
+  {
+    m_triangulation.insert(Exact::Point_2(p.x(), p.y()))->info() = m_number_of_points++;
+    m_result.further_points.push_back(p);
+  }
+
   // `is_taken(i, j)` says whether corners of the outer polygon must not be joined. A point divides such an edge.
   template <typename Is_taken>
   Triangles_between triangulate(const Is_taken& is_taken)
   {
     constexpr int most_rounds = 10; // one in practice
-    Triangles_between result;
     for (int round = 0; round < most_rounds; ++round)
     {
       const std::vector<Exact::Point_2> middles = middles_of_taken_edges(is_taken);
@@ -58,14 +64,14 @@ public:
         break;
       for (const Exact::Point_2& middle : middles)
       {
-        result.further_points.emplace_back(middle.x(), middle.y());
+        m_result.further_points.emplace_back(middle.x(), middle.y());
         m_triangulation.insert(middle)->info() = m_number_of_points++;
       }
     }
     for (const Face_handle face : faces_between())
-      result.triangles.push_back(
+      m_result.triangles.push_back(
         {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
-    return result;
+    return m_result;
   }
 
 private:
@@ -118,6 +124,7 @@ private:
   }
 
   Triangulation m_triangulation;
+  Triangles_between m_result;
   std::size_t m_number_outside, m_number_of_points = 0;
 };
 
