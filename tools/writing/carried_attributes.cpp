@@ -181,6 +181,7 @@ Surface_attributes attributes_of_part(const Surface_attributes& whole,
       part.materials.push_back(whole.materials[face]);
   part.material_names = whole.material_names;
   part.material_files = whole.material_files;
+  part.gltf_materials = whole.gltf_materials;
   return part;
 }
 
@@ -216,6 +217,7 @@ Surface_attributes attributes_of_pieces(const Polygon_soup& whole,
   }
   result.material_names = whole.attributes.material_names;
   result.material_files = whole.attributes.material_files;
+  result.gltf_materials = whole.attributes.gltf_materials;
   return result;
 }
 

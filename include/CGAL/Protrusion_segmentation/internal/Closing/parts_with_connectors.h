@@ -59,7 +59,8 @@ inline Parts_with_connectors parts_with_connectors(const Mesh_to_close& mesh,
   if (caps.empty())
     return {parts_with_caps(mesh, segment_of_face, parents.size(), caps, points), {}};
   const int exponent = scale_to_unit(scaled);
-  connectors::Connector_placer placer(mesh, capper, options, std::ldexp(1., -exponent), scaled);
+  connectors::Connector_placer placer(mesh, segment_of_face, capper, options, std::ldexp(1., -exponent),
+                                      scaled);
   std::vector<Connector<Mesh_to_close::Point>> placed = placer.place(caps);
   for (std::size_t v = points.size(); v < scaled.size(); ++v)
     points.push_back(scaled_by_power_of_two(scaled[v], exponent));

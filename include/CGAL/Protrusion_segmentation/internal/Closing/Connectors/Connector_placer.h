@@ -74,6 +74,7 @@ public:
 
   // `scale` is what a length of the user is multiplied by to be one among the points.
   Connector_placer(const Mesh_to_close& mesh,
+                   const std::vector<std::size_t>& segment_of_face,
                    const Capper& capper,
                    const Connector_options& options,
                    double scale,
@@ -81,7 +82,7 @@ public:
     : m_capper(capper),
       m_options(options),
       m_points(points),
-      m_obstacles(mesh, points)
+      m_obstacles(mesh, segment_of_face, points)
   {
     if (options.tolerance)
       m_tolerance = *options.tolerance * scale;
@@ -97,7 +98,7 @@ public:
     for (std::size_t c = 0; c < caps.size(); ++c)
     {
       seen.push_back(see_cap(caps[c].loop, m_points));
-      m_obstacles.add(c, caps[c].of_parent);
+      m_obstacles.add(c, caps[c], caps[c].of_parent);
       for (const Triangle& triangle : caps[c].of_parent)
       {
         ++uses[{caps[c].parent, triangle}];
@@ -193,8 +194,8 @@ private:
                                                      : Connector_status::CAP_NOT_FLAT;
   }
 
-  // Divides triangles of a cap that cut the surface, as long as there are more than of the flat cap. Leaves all as it was if
-  // that does not help.
+  // Divides triangles of a cap that cut obstacles, until they cut no more of those of either part than the flat cap does. Leaves
+  // all as it was if that does not help.
   bool build(std::size_t c,
              const Seen_cap& seen,
              const Prism& prism,
@@ -210,33 +211,37 @@ private:
       return m_new_edges.count(edge) > 0 || (m_capper.is_edge(edge) && own_edges.count(edge) == 0);
     };
     const std::size_t number_of_points = m_points.size();
-    const std::size_t most_cuts = sum(m_obstacles.numbers_of_cuts(cap.of_parent));
+    const Number_of_cuts most_cuts = sum(m_obstacles.numbers_of_cuts(cap, cap.of_parent));
     std::vector<Point> points_between;
     std::size_t last_number = (std::numeric_limits<std::size_t>::max)();
     for (int round = 0; round < most_rounds; ++round)
     {
       const Connected_caps built(seen.frame, cap.loop, seen.loop, prism, is_up, points_between, is_taken,
                                  m_points);
-      const std::vector<std::size_t> cuts = m_obstacles.numbers_of_cuts(built.between());
-      if (sum(cuts) <= most_cuts)
+      const std::vector<Number_of_cuts> cuts = m_obstacles.numbers_of_cuts(cap, built.between());
+      const Number_of_cuts number = sum(cuts);
+      if (number.is_at_most(most_cuts))
       {
         use(c, seen, prism, is_up, built, cap, result);
         return true;
       }
-      for (std::size_t i = 0; i < cuts.size() && sum(cuts) < last_number; ++i)
-        if (cuts[i] > 0)
+      for (std::size_t i = 0; i < cuts.size(); ++i)
+        if (cuts[i].all > 0)
           points_between.push_back(point_between(built.between()[i], seen.frame));
       m_points.resize(number_of_points);
-      if (sum(cuts) >= last_number)
+      if (number.all >= last_number)
         return false;
-      last_number = sum(cuts);
+      last_number = number.all;
     }
     return false;
   }
 
-  static std::size_t sum(const std::vector<std::size_t>& numbers)
+  static Number_of_cuts sum(const std::vector<Number_of_cuts>& numbers)
   {
-    return std::accumulate(numbers.begin(), numbers.end(), std::size_t(0));
+    Number_of_cuts result;
+    for (const Number_of_cuts& number : numbers)
+      result += number;
+    return result;
   }
 
   // In the middle of the triangle, but in the solid.
@@ -255,8 +260,8 @@ private:
            Flat_cap& cap,
            Placed& result)
   {
-    m_obstacles.add(c, built.with_peg());
-    m_obstacles.add(c, built.with_socket());
+    m_obstacles.add(c, cap, built.with_peg());
+    m_obstacles.add(c, cap, built.with_socket());
     for (const auto& edge : edges_of(built.between()))
       m_new_edges.insert(edge);
     cap.of_parent = is_up ? built.with_peg() : built.with_socket();

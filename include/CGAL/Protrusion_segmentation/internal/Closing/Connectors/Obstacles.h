@@ -8,11 +8,13 @@
 #include <CGAL/Protrusion_segmentation/internal/Closing/Capper.h>
 #include <CGAL/Protrusion_segmentation/internal/Closing/Connectors/Cap_frame.h>
 #include <CGAL/Protrusion_segmentation/internal/Closing/Connectors/cut_each_other.h>
+#include <CGAL/Protrusion_segmentation/internal/Closing/parts_with_flat_caps.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/boost/graph/iterator.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -54,12 +56,33 @@ struct Room
   }
 };
 
+// How many obstacles are cut, those of a segment and of its parent among them.
+struct Number_of_cuts
+{
+  std::size_t all = 0, of_segment = 0, of_parent = 0;
+
+  Number_of_cuts& operator+=(const Number_of_cuts& other)
+  {
+    all += other.all;
+    of_segment += other.of_segment;
+    of_parent += other.of_parent;
+    return *this;
+  }
+  bool is_at_most(const Number_of_cuts& other) const
+  {
+    return all <= other.all && of_segment <= other.of_segment && of_parent <= other.of_parent;
+  }
+};
+
 // The triangles of a mesh, its caps and their connectors.
 class Obstacles
 {
 public:
   // `points` may grow.
-  Obstacles(const Mesh_to_close& mesh, const std::vector<Point>& points) : m_points(points)
+  Obstacles(const Mesh_to_close& mesh,
+            const std::vector<std::size_t>& segment_of_face,
+            const std::vector<Point>& points)
+    : m_points(points)
   {
     for (const auto f : faces(mesh))
     {
@@ -68,14 +91,17 @@ public:
         corners.push_back(std::size_t(v));
       for (std::size_t i = 2; i < corners.size(); ++i)
         m_triangles.push_back({corners[0], corners[i - 1], corners[i]});
+      m_parts_of_triangle.resize(m_triangles.size(), {segment_of_face[f], segment_of_face[f]});
     }
     m_cap_of_triangle.assign(m_triangles.size(), no_cap);
   }
 
-  void add(std::size_t cap, const std::vector<Triangle>& triangles)
+  // Of a cap between a segment and its parent.
+  void add(std::size_t cap, const Flat_cap& parts, const std::vector<Triangle>& triangles)
   {
     m_triangles.insert(m_triangles.end(), triangles.begin(), triangles.end());
     m_cap_of_triangle.resize(m_triangles.size(), cap);
+    m_parts_of_triangle.resize(m_triangles.size(), {parts.segment, parts.parent});
   }
 
   // All questions are about this cap from here on, whose own triangles are in no way.
@@ -95,8 +121,9 @@ public:
     const Bbox_2 box = bbox_2(base.begin(), base.end());
     Room room;
     for_each_other(
-      [&](const Triangle& triangle, const Bbox_3& bounds)
+      [&](std::size_t t, const Bbox_3& bounds)
       {
+        const Triangle& triangle = m_triangles[t];
         if (bounds.xmin() > box.xmax() || bounds.xmax() < box.xmin() || bounds.ymin() > box.ymax() ||
             bounds.ymax() < box.ymin())
           return;
@@ -137,8 +164,8 @@ public:
     return is_good_above && is_good_below;
   }
 
-  // The number of obstacles that each of the triangles cuts or lies on. Their points may be new.
-  std::vector<std::size_t> numbers_of_cuts(const std::vector<Triangle>& triangles)
+  // The numbers of obstacles that each of the triangles of a cap cuts or lies on. Their points may be new.
+  std::vector<Number_of_cuts> numbers_of_cuts(const Flat_cap& cap, const std::vector<Triangle>& triangles)
   {
     m_local.resize((std::min)(m_local.size(), m_number_of_old_points));
     for (std::size_t i = m_local.size(); i < m_points.size(); ++i)
@@ -150,15 +177,18 @@ public:
       boxes.push_back(box_of(triangle));
       whole += boxes.back();
     }
-    std::vector<std::size_t> result(triangles.size(), 0);
+    std::vector<Number_of_cuts> result(triangles.size());
     for_each_other(
-      [&](const Triangle& other, const Bbox_3& box)
+      [&](std::size_t t, const Bbox_3& box)
       {
         if (!do_overlap(box, whole))
           return;
+        const auto& parts = m_parts_of_triangle[t];
+        const auto is_of = [&](std::size_t part)
+        { return std::size_t(parts[0] == part || parts[1] == part ? 1 : 0); };
         for (std::size_t i = 0; i < triangles.size(); ++i)
-          if (do_overlap(box, boxes[i]) && cut_each_other(triangles[i], other, m_points))
-            ++result[i];
+          if (do_overlap(box, boxes[i]) && cut_each_other(triangles[i], m_triangles[t], m_points))
+            result[i] += {1, is_of(cap.segment), is_of(cap.parent)};
       });
     return result;
   }
@@ -216,12 +246,13 @@ private:
   {
     for (std::size_t t = 0; t < m_triangles.size(); ++t)
       if (m_cap_of_triangle[t] != m_cap)
-        visit(m_triangles[t], box_of(m_triangles[t]));
+        visit(t, box_of(m_triangles[t]));
   }
 
   const std::vector<Point>& m_points;
   std::vector<Triangle> m_triangles; // those of the mesh first
   std::vector<std::size_t> m_cap_of_triangle;
+  std::vector<std::array<std::size_t, 2>> m_parts_of_triangle; // the same twice for those of the mesh
   std::size_t m_cap = no_cap;
   const Cap_frame* m_frame = nullptr;
   std::vector<Point> m_local; // in the frame of the cap
