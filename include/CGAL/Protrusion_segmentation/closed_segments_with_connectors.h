@@ -31,7 +31,7 @@ are; the result says so for each.
 
 All segments are closed as those of `closed_segments()` are. The volumes of two segments add up to those without connectors but
 for the gap: the volume of the socket less that of the peg. A peg or a socket cuts neither the surface nor another
-cap or connector.
+cap or connector; a cap cuts no more of its segments than the flat one does.
 
 \tparam FaceGraph a model of `FaceListGraph` and `HalfedgeListGraph` with a point for each vertex
 \tparam SegmentMap a model of `ReadablePropertyMap` with `boost::graph_traits<FaceGraph>::%face_descriptor` as key type

@@ -9,12 +9,9 @@
 #include <CGAL/Protrusion_segmentation/Connector_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Closing/Connectors/Connected_caps.h>
 #include <CGAL/Protrusion_segmentation/internal/Closing/Connectors/Obstacles.h>
-#include <CGAL/Protrusion_segmentation/internal/Closing/Connectors/largest_circle.h>
+#include <CGAL/Protrusion_segmentation/internal/Closing/Connectors/Seen_cap.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/bounding_ball.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
-
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,35 +33,6 @@ constexpr double default_smallest_radius = 0.01;
 
 // Where there is no room for a peg, thinner ones are tried.
 constexpr double shares_of_radius[] = {1, 0.75, 0.5};
-
-// A cap, seen along its normal.
-struct Seen_cap
-{
-  Cap_frame frame;
-  std::vector<Point_2> loop;
-  Circle circle; // of radius 0 if the loop crosses itself
-};
-
-inline Seen_cap see_cap(const Loop& loop, const std::vector<Point>& points)
-{
-  using Exact = CGAL::Exact_predicates_inexact_constructions_kernel;
-  std::vector<Point> corners;
-  for (const std::size_t v : loop)
-    corners.push_back(points[v]);
-  Seen_cap result = {Cap_frame(corners), {}, {}};
-  if (!result.frame.is_plane())
-    return result;
-  CGAL::Polygon_2<Exact> polygon;
-  for (const Point& corner : corners)
-  {
-    const Point p = result.frame.to_local(corner);
-    result.loop.emplace_back(p.x(), p.y());
-    polygon.push_back(Exact::Point_2(p.x(), p.y()));
-  }
-  if (polygon.is_simple())
-    result.circle = largest_circle(result.loop);
-  return result;
-}
 
 // Puts pegs and sockets on caps, the largest cap first.
 class Connector_placer
@@ -203,35 +171,39 @@ private:
              Flat_cap& cap,
              Placed& result)
   {
-    constexpr int most_rounds = 6;
+    constexpr int most_rounds = 8, most_vain_rounds = 2;
     const std::set<std::pair<std::size_t, std::size_t>> own_edges = edges_of(cap.of_parent);
     const auto is_taken = [&](std::size_t v, std::size_t w)
     {
       const auto edge = edge_between(v, w);
       return m_new_edges.count(edge) > 0 || (m_capper.is_edge(edge) && own_edges.count(edge) == 0);
     };
-    const std::size_t number_of_points = m_points.size();
     const Number_of_cuts most_cuts = sum(m_obstacles.numbers_of_cuts(cap, cap.of_parent));
-    std::vector<Point> points_between;
-    std::size_t last_number = (std::numeric_limits<std::size_t>::max)();
-    for (int round = 0; round < most_rounds; ++round)
+    for (std::vector<Point> points_between :
+         {std::vector<Point>(), points_halfway(cap.loop, seen, prism, m_points)})
     {
-      const Connected_caps built(seen.frame, cap.loop, seen.loop, prism, is_up, points_between, is_taken,
-                                 m_points);
-      const std::vector<Number_of_cuts> cuts = m_obstacles.numbers_of_cuts(cap, built.between());
-      const Number_of_cuts number = sum(cuts);
-      if (number.is_at_most(most_cuts))
+      const std::size_t number_of_points = m_points.size();
+      std::size_t least_number = (std::numeric_limits<std::size_t>::max)();
+      for (int round = 0, vain_rounds = 0; round < most_rounds && vain_rounds < most_vain_rounds; ++round)
       {
-        use(c, seen, prism, is_up, built, cap, result);
-        return true;
+        const Connected_caps built(seen.frame, cap.loop, seen.loop, prism, is_up, points_between,
+                                   is_taken, m_points);
+        const std::vector<Number_of_cuts> cuts = m_obstacles.numbers_of_cuts(cap, built.between());
+        const Number_of_cuts number = sum(cuts);
+        if (number.is_at_most(most_cuts))
+        {
+          use(c, seen, prism, is_up, built, cap, result);
+          return true;
+        }
+        for (std::size_t i = 0; i < cuts.size(); ++i)
+          if (cuts[i].all > 0)
+            points_between.push_back(point_between(built.between()[i], seen.frame));
+        m_points.resize(number_of_points);
+        if (number.all / 2 > least_number)
+          break; // it gets worse
+        vain_rounds = number.all < least_number ? 0 : vain_rounds + 1;
+        least_number = (std::min)(least_number, number.all);
       }
-      for (std::size_t i = 0; i < cuts.size(); ++i)
-        if (cuts[i].all > 0)
-          points_between.push_back(point_between(built.between()[i], seen.frame));
-      m_points.resize(number_of_points);
-      if (number.all >= last_number)
-        return false;
-      last_number = number.all;
     }
     return false;
   }

@@ -35,6 +35,10 @@ struct Prism
   {
     return radius_of_polygon * std::cos(angle_of_side() / 2);
   }
+  double radius_of(double apothem_of_polygon) const
+  {
+    return apothem_of_polygon / std::cos(angle_of_side() / 2);
+  }
   double apothem() const { return apothem_of(radius); }
 
   // From the cap to the end.
@@ -45,7 +49,7 @@ struct Prism
 
   std::vector<Point_2> corners(double apothem_of_ring) const
   {
-    const double radius_of_ring = apothem_of_ring / std::cos(angle_of_side() / 2);
+    const double radius_of_ring = radius_of(apothem_of_ring);
     std::vector<Point_2> result;
     for (std::size_t i = 0; i < number_of_sides; ++i)
     {

@@ -48,7 +48,11 @@ public:
   // Between the polygons. These are the first of the further points.
   void add_point(const Point_2& p)
   {
-    m_triangulation.insert(Exact::Point_2(p.x(), p.y()))->info() = m_number_of_points++;
+    const std::size_t number_of_vertices = m_triangulation.number_of_vertices();
+    const auto vertex = m_triangulation.insert(Exact::Point_2(p.x(), p.y()));
+    if (m_triangulation.number_of_vertices() > number_of_vertices) // else there is one at that place
+      vertex->info() = m_number_of_points;
+    ++m_number_of_points;
     m_result.further_points.push_back(p);
   }
 
