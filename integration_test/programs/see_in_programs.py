@@ -177,7 +177,7 @@ def write_files(segment, make_mesh, folder):
     print(run(segment, folder / "octopus.off", "--labels", folder / "a.seg", "--up", "z", "--one-object",
               "-o", folder / "one.glb", "-o", folder / "one.gltf", "--rig", folder / "rig.glb"))
     print(run(segment, folder / "octopus.off", "--labels", folder / "a.seg", "--close", "-o", folder / "parts.3mf"))
-    print(run(segment, folder / "octopus.off", "--labels", folder / "a.seg", "--smooth-borders", "--close", "--connectors",
+    print(run(segment, folder / "octopus.off", "--labels", folder / "a.seg", "--close", "--connectors",
               "-o", folder / "connected/%d.stl", "-o", folder / "connected.3mf"))
 
 
