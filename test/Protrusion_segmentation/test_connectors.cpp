@@ -185,6 +185,23 @@ void test_statuses()
   CHECK(connected(cubes.mesh, cubes.labels, {0, 0}, options).connectors[0].depth < 2);
 }
 
+// The axis goes through a vertex of a symmetric mesh, whatever rounding says.
+void test_axis_through_vertices()
+{
+  for (int step = 0; step < 20; ++step)
+  {
+    auto mesh = to_graph<Mesh>(icosphere(3));
+    const double angle = 0.1 * step, x = std::cos(angle), y = std::sin(angle);
+    const Labels labels = labels_of_halves(mesh, 2, 0);
+    for (const auto v : vertices(mesh))
+    {
+      const Mesh::Point p = mesh.point(v);
+      mesh.point(v) = Mesh::Point(p.x(), x * p.y() - y * p.z(), y * p.y() + x * p.z());
+    }
+    CHECK_EQUAL(number_of_placed(connected(mesh, labels, {0, 0})), 1);
+  }
+}
+
 // A slice is too thin for a socket; its neighbour is not.
 void test_thin_protrusion_and_parent()
 {
@@ -250,6 +267,7 @@ int main()
   test_arms(creature(), 6, 4, "creature");
   test_arms(dumbbell(), 3, 1, "dumbbell");
   test_statuses();
+  test_axis_through_vertices();
   test_thin_protrusion_and_parent();
   test_open_mesh();
   test_wrong_options();

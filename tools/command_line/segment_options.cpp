@@ -202,8 +202,8 @@ void add_help(CLI::App& app)
      {"segment_by_protrusions horse.obj -k 7 --report horse.html",
       "seven segments, a page for the browser"},
      {"segment_by_protrusions horse.obj -o 'parts/%d.obj' --close", "a closed mesh of each segment"},
-     {"segment_by_protrusions horse.stl -o 'parts/%d.stl' --close --smooth-borders --connectors --tolerance 0.2",
-      "parts to be printed and put together"},
+     {"segment_by_protrusions horse.stl -o '%d.stl' --close --connectors --tolerance 0.2",
+      "parts with pegs and sockets, to be printed and put together"},
      {"segment_by_protrusions horse.obj --labels a.seg --names a.json -o 'parts/%s.obj' --close",
       "closed meshes of segments that were edited and named in the page"},
      {"segment_by_protrusions meshes --output-folder segments --jobs 2", "all meshes in a folder"}});

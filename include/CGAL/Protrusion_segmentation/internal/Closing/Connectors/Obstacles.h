@@ -227,6 +227,7 @@ private:
   template <typename Visit>
   void for_each_crossing(const Point_2& p, const Visit& visit) const
   {
+    constexpr double rounding = 1e-9; // a line through a vertex must not slip through between triangles
     const auto twice_area = [](const Point_2& q, const Point_2& r, const Point_2& s)
     { return (r.x() - q.x()) * (s.y() - q.y()) - (r.y() - q.y()) * (s.x() - q.x()); };
     for (std::size_t t = 0; t < m_triangles.size() && m_cap_of_triangle[t] == no_cap; ++t)
@@ -236,7 +237,7 @@ private:
       const Point_2 a2(a.x(), a.y()), b2(b.x(), b.y()), c2(c.x(), c.y());
       const double area = twice_area(a2, b2, c2);
       const double u = twice_area(p, b2, c2) / area, v = twice_area(a2, p, c2) / area, w = 1 - u - v;
-      if (u >= 0 && v >= 0 && w >= 0) // not if there is no area
+      if (u >= -rounding && v >= -rounding && w >= -rounding) // not if there is no area
         visit(u * a.z() + v * b.z() + w * c.z(), area > 0);
     }
   }
