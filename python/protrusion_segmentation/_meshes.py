@@ -35,18 +35,26 @@ class Connector:
 
     Attributes
     ----------
-    segment, parent : int
-        The protrusion that is cut off, and what it sticks out of.
+    segment : int
+        The protrusion that is cut off.
+    parent : int
+        What it sticks out of.
     status : str
         "placed"; or "cap too small", "cap not flat", "no room". Then only `cap_radius` has a meaning below.
     cap_radius : float
         The radius of the largest circle in the cap.
     peg_segment : int
         The segment that has the peg; the other one has the socket.
-    base, end : (3,) array
-        The centres of the ends of the peg, at its cap and inside of the other segment.
-    radius, depth, tolerance : float
-        The distance of its corners from its axis, its length, and the distance between the sides of peg and socket.
+    base : (3,) array
+        The centre of the peg at its cap.
+    end : (3,) array
+        The centre of its end, inside of the other segment.
+    radius : float
+        The distance of its corners from its axis.
+    depth : float
+        Its length.
+    tolerance : float
+        The distance between the sides of peg and socket.
     """
 
     segment: int
