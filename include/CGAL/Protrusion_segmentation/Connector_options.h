@@ -27,7 +27,8 @@ struct Connector_options
   /// room for it, the peg is thinner, down to a half of this.
   double radius = 0.5;
 
-  /// the length of the peg, in the same unit, above 0. Where there is not enough room for it, the peg is shorter, down to a half of its radius.
+  /// the length of the peg, in the same unit, above 0. Where there is not enough room for it, the peg is shorter, down to
+  /// a half of its radius.
   double depth = 0.75;
 
   /// the width of the chamfer, as a share of the radius of the peg, at least 0 and at most 0.5

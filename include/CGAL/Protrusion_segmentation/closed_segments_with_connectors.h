@@ -23,8 +23,8 @@ namespace CGAL::Protrusion_segmentation {
 
 makes closed surfaces of segments as `closed_segments()` does, with pegs and sockets that hold them together, as for printing.
 
-On each flat cap that two segments share, one gets a peg and the other a socket, which is wider by the tolerance. The protrusion has
-the peg and its parent the socket, or the other way round if only the protrusion has room for the whole depth. The cap
+On each flat cap that two segments share, one gets a peg and the other a socket, which is wider by the tolerance.
+The protrusion has the peg and its parent the socket, or the other way round if only the protrusion has room for the whole depth. The cap
 becomes flat around the peg, and its normal is that of the border. Around sockets there are walls of at least a quarter of the
 radius of the peg. Caps that are too small, too far from flat, or have too little room behind them stay as they
 are; the result says so for each.
@@ -41,8 +41,8 @@ cap or connector; a cap cuts no more of its segments than the flat one does.
 \tparam ConnectorIterator a model of `OutputIterator` that accepts a `Protrusion_segmentation::Connector` of the same
 \tparam NamedParameters a sequence of \ref bgl_namedparameters "Named Parameters"
 
-\param pmesh the mesh. Faces may be any polygons; there may be boundaries and several components. Without a closed surface around a cap,
-             it gets no connector.
+\param pmesh the mesh. Faces may be any polygons; there may be boundaries and several components. Without a
+             closed surface around a cap, it gets no connector.
 \param segment_ids the segment of every face, from 0
 \param record what a segmentation of the mesh found. Only segments and their parents matter here.
 \param options the shape of pegs and sockets

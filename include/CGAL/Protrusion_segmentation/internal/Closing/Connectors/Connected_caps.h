@@ -14,12 +14,13 @@
 
 namespace CGAL::Protrusion_segmentation::internal::connectors {
 
-// A cap of the parent with a flat middle, from which a peg or a socket rises or sinks. Below, what is said to be above is on the
-// side of the frame where z is positive.
+// A cap with a flat middle, from which a peg rises and a socket sinks, with the normals of the frame: those of the parent's
+// side.
 class Connected_caps
 {
 public:
-  // New points are added to `points`, `points_between` among them, which are given in the frame. `is_up` says whether the peg is on the parent and rises into the segment.
+  // New points are added to `points`, `points_between` among them, which are given in the frame. `is_up` says whether the peg is
+  // on the parent and rises into the segment.
   // `is_taken(v, w)` says whether two vertices of the loop must not be joined.
   template <typename Is_taken>
   Connected_caps(const Cap_frame& frame,
