@@ -101,6 +101,11 @@ def prusa_slicer(folder):
              f"volume {sum(volumes):.4f}")
         assert len(volumes) == output.count("manifold = yes") == objects, output
         assert abs(min(places) - low) < 1e-4
+    output = run("prusa-slicer", "--info", *(folder / f"connected/{i}.stl" for i in range(NUMBER)))
+    volumes = [float(volume) for volume in re.findall(r"volume = (\S+)", output)]
+    tell("PrusaSlicer", "connected/%d.stl", f"{len(volumes)} parts with pegs and sockets, {output.count('manifold = yes')} of "
+         f"them manifold, volume {sum(volumes):.4f}")
+    assert len(volumes) == output.count("manifold = yes") == NUMBER, output
     run("prusa-slicer", "--export-3mf", "--output", folder / "again.3mf", folder / "a.3mf")
     with zipfile.ZipFile(folder / "again.3mf") as archive:
         model = archive.read("3D/3dmodel.model").decode()
@@ -172,6 +177,8 @@ def write_files(segment, make_mesh, folder):
     print(run(segment, folder / "octopus.off", "--labels", folder / "a.seg", "--up", "z", "--one-object",
               "-o", folder / "one.glb", "-o", folder / "one.gltf", "--rig", folder / "rig.glb"))
     print(run(segment, folder / "octopus.off", "--labels", folder / "a.seg", "--close", "-o", folder / "parts.3mf"))
+    print(run(segment, folder / "octopus.off", "--labels", folder / "a.seg", "--close", "--connectors",
+              "-o", folder / "connected/%d.stl", "-o", folder / "connected.3mf"))
 
 
 def main():

@@ -3,6 +3,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a file says besides points and faces comes out again: texture coordinates, normals, colours, materials."""
 
+import base64
+import json
+
 import numpy as np
 import pytest
 
@@ -220,3 +223,93 @@ def test_no_place_in_ply(segment, tmp_path):
 
 def test_wrong_colors(segment, teddy):
     segment.refuses(teddy, "--colors", "red", code=2, message="--colors")
+
+
+PNG = base64.b64decode("iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg==")
+
+
+def used_materials(gltf):
+    """The materials and texture coordinates of the primitives of each mesh."""
+    return [[(gltf.json["materials"][primitive["material"]]["name"], primitive["attributes"].get("TEXCOORD_0"))
+             for primitive in mesh["primitives"]] for mesh in gltf.json["meshes"]]
+
+
+def check_picture(gltf, bytes_of_picture=PNG):
+    (image,) = gltf.json["images"]
+    view = gltf.json["bufferViews"][image["bufferView"]]
+    begin = view["byteOffset"]
+    assert image["mimeType"] == "image/png"
+    assert gltf.buffer[begin:begin + view["byteLength"]] == bytes_of_picture
+
+
+@pytest.fixture
+def with_materials(textured, tmp_path):
+    """The material file of a.obj: fur has a picture, leather is half transparent."""
+    (tmp_path / "of_artist.mtl").write_text(
+        "newmtl fur\nKd 1 0.5 0.25\nmap_Kd fur.png\nnewmtl leather\nKd 0 0 1\nd 0.5\n")
+    (tmp_path / "fur.png").write_bytes(PNG)
+    return textured
+
+
+def test_materials_from_obj_to_gltf_and_on(segment, with_materials, tmp_path, libraries):
+    segment(with_materials, *"-k 5 --colors input -o b.glb -o one.gltf --one-object --rig rig.glb".split())
+    for name in ("one.gltf", "b.glb", "rig.glb"):
+        gltf = GltfFile(tmp_path / name)
+        fur, leather = (next(m for m in gltf.json["materials"] if m["name"] == n) for n in ("fur", "leather"))
+        assert fur["pbrMetallicRoughness"]["baseColorFactor"] == [1, .5, .25, 1]
+        assert leather["pbrMetallicRoughness"]["baseColorFactor"] == [0, 0, 1, .5] and leather["alphaMode"] == "BLEND"
+        texture = gltf.json["textures"][fur["pbrMetallicRoughness"]["baseColorTexture"]["index"]]
+        assert texture["source"] == 0
+        check_picture(gltf)
+        used = [material for mesh in used_materials(gltf) for material in mesh]
+        assert {name for name, _ in used} == {"fur", "leather"} and all(t is not None for _, t in used)
+        assert 5 <= len(used) <= 10
+    if "tinygltf" not in libraries:
+        pytest.skip("tinygltf was not found")
+    segment("one.gltf", *"-k 5 --colors input -o c.glb".split())
+    check_picture(GltfFile(tmp_path / "c.glb"))
+    segment("one.gltf", *"-k 5 -o d.glb".split())
+    assert "images" not in GltfFile(tmp_path / "d.glb").json
+
+
+def test_closed_parts_keep_materials(segment, with_materials, tmp_path):
+    """Caps have none."""
+    segment(with_materials, *"-k 3 --close --colors input -o parts/%d.gltf -o parts/%d.obj".split())
+    for i in range(3):
+        (primitives,) = used_materials(GltfFile(tmp_path / f"parts/{i}.gltf"))
+        assert {name for name, _ in primitives} <= {"fur", "leather", f"segment {i}"}
+        assert len(primitives) >= 2 and primitives[-1][1] is None # the caps
+        faces = ObjFile(tmp_path / f"parts/{i}.obj").faces
+        has_texture = [len(face[0]) > 1 for face in faces]
+        assert any(has_texture) and not all(has_texture)
+
+
+def test_textures_of_any_gltf(segment, with_materials, tmp_path, libraries):
+    """Samplers, extensions and several pictures stay; a second set of coordinates, and what is not there, does not."""
+    if "tinygltf" not in libraries:
+        pytest.skip("tinygltf was not found")
+    segment(with_materials, *"-k 2 --colors input -o b.gltf".split())
+    gltf = json.loads((tmp_path / "b.gltf").read_text())
+    (fur,) = (i for i, m in enumerate(gltf["materials"]) if m["name"] == "fur")
+    (tmp_path / "beside.png").write_bytes(PNG)
+    gltf["images"] += [{"uri": "beside.png"}, {"uri": "lost.png"}]
+    gltf["samplers"] = [{"wrapS": 33071}, {"wrapS": 33648}]
+    gltf["textures"] += [{"source": 1, "sampler": 1}, {"source": 2}, {"source": 99}]
+    gltf["materials"][fur]["normalTexture"] = {"index": 1, "scale": 0.5}
+    gltf["materials"][fur]["occlusionTexture"] = {"index": 0, "texCoord": 1}
+    gltf["materials"][fur]["emissiveTexture"] = {"index": 2}
+    gltf["materials"][fur]["extensions"] = {
+        "KHR_materials_clearcoat": {"clearcoatFactor": 1, "clearcoatTexture": {"index": 3}}}
+    gltf["extensionsUsed"] = ["KHR_materials_clearcoat", "KHR_something_else"]
+    (tmp_path / "b.gltf").write_text(json.dumps(gltf))
+    segment("b.gltf", *"-k 2 --colors input -o c.gltf".split())
+    after = json.loads((tmp_path / "c.gltf").read_text())
+    (fur,) = (m for m in after["materials"] if m["name"] == "fur")
+    normal = after["textures"][fur["normalTexture"]["index"]]
+    assert fur["normalTexture"]["scale"] == 0.5 and after["samplers"][normal["sampler"]] == {"wrapS": 33648}
+    assert "bufferView" in after["images"][normal["source"]]
+    assert "occlusionTexture" not in fur
+    emissive = after["textures"][fur["emissiveTexture"]["index"]]
+    assert after["images"][emissive["source"]] == {"uri": "lost.png"}
+    assert fur["extensions"] == {"KHR_materials_clearcoat": {"clearcoatFactor": 1}}
+    assert after["extensionsUsed"] == ["KHR_materials_clearcoat"]

@@ -23,7 +23,7 @@ other threads run, and Ctrl-C stops it with KeyboardInterrupt.
 from . import _core
 from ._borders import smooth_borders
 from ._files import read_seg, write_seg
-from ._meshes import Mesh, Skeleton, SmoothedMesh
+from ._meshes import Connector, Mesh, Skeleton, SmoothedMesh
 from ._metrics import (
     consistency_error,
     cut_discrepancy,
@@ -34,7 +34,7 @@ from ._metrics import (
     rand_index_error,
 )
 from ._options import DiffusionDistance, DualGraph, LandmarkDistance, PaperMethod
-from ._parts import closed_segments, skeleton
+from ._parts import closed_segments, closed_segments_with_connectors, skeleton
 from ._results import (
     Border,
     Hierarchy,
@@ -48,6 +48,7 @@ from ._segment import hierarchy, segment, segment_from_tips, segmentation, tips
 
 __all__ = [
     "Border",
+    "Connector",
     "DiffusionDistance",
     "DualGraph",
     "Hierarchy",
@@ -62,6 +63,7 @@ __all__ = [
     "Skeleton",
     "SmoothedMesh",
     "closed_segments",
+    "closed_segments_with_connectors",
     "consistency_error",
     "cut_discrepancy",
     "evaluate",

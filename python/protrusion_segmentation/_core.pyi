@@ -33,6 +33,16 @@ def closed_segments(
     tips: Integers,
     are_caps_faired: bool,
 ) -> List[Tuple[Coordinates, Integers, Integers]]: ...
+def closed_segments_with_connectors(
+    vertices: Coordinates,
+    corners: Integers,
+    sizes: Integers,
+    options: Dict[str, Any],
+    labels: Integers,
+    parents: Integers,
+    tips: Integers,
+    connectors: Tuple[int, float, float, float, Optional[float], Optional[float]],
+) -> Tuple[List[Tuple[Coordinates, Integers, Integers]], List[Tuple[Any, ...]]]: ...
 def skeleton(
     vertices: Coordinates,
     corners: Integers,

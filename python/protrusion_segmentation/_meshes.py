@@ -30,6 +30,46 @@ class Mesh:
 
 
 @dataclass(frozen=True, eq=False)
+class Connector:
+    """A peg and a socket on the cap between a segment and its parent, or why there is none.
+
+    Attributes
+    ----------
+    segment : int
+        The protrusion that is cut off.
+    parent : int
+        What it sticks out of.
+    status : str
+        "placed"; or "cap too small", "cap not flat", "no room". Then only `cap_radius` has a meaning below.
+    cap_radius : float
+        The radius of the largest circle in the cap.
+    peg_segment : int
+        The segment that has the peg; the other one has the socket.
+    base : (3,) array
+        The centre of the peg at its cap.
+    end : (3,) array
+        The centre of its end, inside of the other segment.
+    radius : float
+        The distance of its corners from its axis.
+    depth : float
+        Its length.
+    tolerance : float
+        The distance between the sides of peg and socket.
+    """
+
+    segment: int
+    parent: int
+    status: str
+    cap_radius: float
+    peg_segment: int
+    base: Floats
+    end: Floats
+    radius: float
+    depth: float
+    tolerance: float
+
+
+@dataclass(frozen=True, eq=False)
 class Skeleton:
     """Joints and the bones between them: lines from each joint to its parent.
 

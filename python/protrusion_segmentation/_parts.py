@@ -12,13 +12,14 @@ from ._arguments import (
     Faces,
     Labels,
     checked_choice,
+    checked_number,
     checked_tolerance,
     faces_of_corners,
     integer_from,
     integers,
     mesh_arrays,
 )
-from ._meshes import Mesh, Skeleton
+from ._meshes import Connector, Mesh, Skeleton
 from ._results import Segmentation
 
 Caps = Literal["flat", "faired"]
@@ -50,6 +51,53 @@ def closed_segments(
     options, tree = _arguments(found, snapping_tolerance)
     parts = _core.closed_segments(*mesh_arrays(vertices, faces), options, *tree, are_faired)
     return [Mesh(points, faces_of_corners(corners, sizes)) for points, corners, sizes in parts]
+
+
+def closed_segments_with_connectors(
+    vertices: npt.ArrayLike,
+    faces: Faces,
+    found: Segmentation,
+    tolerance: Optional[float] = None,
+    *,
+    radius: float = 0.5,
+    depth: float = 0.75,
+    sides: int = 6,
+    chamfer: float = 0.2,
+    smallest_radius: Optional[float] = None,
+    snapping_tolerance: Optional[float] = None,
+) -> Tuple[List[Mesh], List[Connector]]:
+    """Make a closed mesh of each segment, with pegs and sockets on the flat caps that two segments share.
+
+    Parameters
+    ----------
+    vertices, faces, snapping_tolerance : those of `segmentation()`; not with joined pieces
+    found : its result
+    tolerance : the distance between the sides of peg and socket; without it, a twentieth of the radius of each peg
+    radius, depth : of a peg, as shares of the radius of the largest circle in the cap. Where there is less room, pegs are thinner,
+        down to a half of this, and shorter
+    sides : of a peg: few keep the parts from turning, many make it round
+    chamfer : its width at the end of a peg, as a share of the radius of the peg, from 0 to 0.5
+    smallest_radius : that of a peg; without it, a hundredth of the radius of a ball around the mesh
+
+    Returns
+    -------
+    list of Mesh
+        Those of `closed_segments()`, with pegs and sockets.
+    list of Connector
+        One for each cap, also for those that have none, with the reason.
+    """
+    numbers = (
+        integer_from("sides", sides, 3, 1000),
+        checked_number("radius", radius),
+        checked_number("depth", depth),
+        checked_number("chamfer", chamfer),
+        None if tolerance is None else checked_number("tolerance", tolerance),
+        None if smallest_radius is None else checked_number("smallest_radius", smallest_radius),
+    )
+    options, tree = _arguments(found, snapping_tolerance)
+    parts, connectors = _core.closed_segments_with_connectors(*mesh_arrays(vertices, faces), options, *tree, numbers)
+    meshes = [Mesh(points, faces_of_corners(corners, sizes)) for points, corners, sizes in parts]
+    return meshes, [Connector(*connector) for connector in connectors]
 
 
 def skeleton(

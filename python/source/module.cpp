@@ -14,13 +14,16 @@
 #include "smooth.h"
 
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -78,36 +81,35 @@ Tree_of_arrays copy_tree(const Integers& labels, const Integers& parents, const 
   return {copy(labels), copy(parents), copy(tips)};
 }
 
-py::list call_close(const Coordinates& vertices,
-                    const Integers& corners,
-                    const Integers& sizes,
-                    const py::dict& options,
-                    const Integers& labels,
-                    const Integers& parents,
-                    const Integers& tips,
-                    bool are_caps_faired)
+// What Python calls with a mesh, its segments and one thing more: `function(arrays, tree, option)`.
+template <typename Option, typename Function>
+auto function_of_segments(Function function)
 {
-  return as_list(run_interruptibly(
-    [arrays = arrays_of_arguments({vertices, corners, sizes}, options),
-     tree = copy_tree(labels, parents, tips), are_caps_faired](Watcher&)
-    {
-      return are_caps_faired ? close_segments_by_faired_caps(arrays, tree) : close_segments(arrays, tree);
-    }));
+  return [function](const Coordinates& vertices, const Integers& corners, const Integers& sizes,
+                    const py::dict& options, const Integers& labels, const Integers& parents,
+                    const Integers& tips, const Option& option)
+  {
+    return as_python(run_interruptibly(
+      [arrays = arrays_of_arguments({vertices, corners, sizes}, options),
+       tree = copy_tree(labels, parents, tips), function, option](Watcher&)
+      { return function(arrays, tree, option); }));
+  };
 }
 
-py::dict call_skeleton(const Coordinates& vertices,
-                       const Integers& corners,
-                       const Integers& sizes,
-                       const py::dict& options,
-                       const Integers& labels,
-                       const Integers& parents,
-                       const Integers& tips,
-                       int number_of_inner_joints)
+std::vector<Part> close(const Arrays& arrays, const Tree_of_arrays& tree, bool are_caps_faired)
 {
-  return as_dict(
-    run_interruptibly([arrays = arrays_of_arguments({vertices, corners, sizes}, options),
-                       tree = copy_tree(labels, parents, tips), number_of_inner_joints](Watcher&)
-                      { return find_skeleton(arrays, tree, number_of_inner_joints); }));
+  return are_caps_faired ? close_segments_by_faired_caps(arrays, tree) : close_segments(arrays, tree);
+}
+
+// In the order of the fields of `Connector_options`.
+using Connector_numbers =
+  std::tuple<std::size_t, double, double, double, std::optional<double>, std::optional<double>>;
+
+Connected_parts connect(const Arrays& arrays, const Tree_of_arrays& tree, const Connector_numbers& numbers)
+{
+  const auto& [sides, radius, depth, chamfer, tolerance, smallest_radius] = numbers;
+  return close_segments_with_connectors(arrays, tree,
+                                        {sides, radius, depth, chamfer, tolerance, smallest_radius});
 }
 
 py::list call_compare(const Coordinates& vertices,
@@ -150,8 +152,10 @@ PYBIND11_MODULE(_core, module)
   module.def("segment", &python::call_segment);
   module.def("tips", &python::call_tips);
   module.def("smooth_borders", &python::call_smooth);
-  module.def("closed_segments", &python::call_close);
-  module.def("skeleton", &python::call_skeleton);
+  module.def("closed_segments", python::function_of_segments<bool>(&python::close));
+  module.def("closed_segments_with_connectors",
+             python::function_of_segments<python::Connector_numbers>(&python::connect));
+  module.def("skeleton", python::function_of_segments<int>(&python::find_skeleton));
   module.def("evaluate", &python::call_compare);
   using python::py::cpp_function;
   python::py::module_::import("atexit").attr("register")(cpp_function([]() { python::calls().end(); }));

@@ -5,6 +5,7 @@
 #include "parts.h"
 
 #include <CGAL/Protrusion_segmentation/closed_segments.h>
+#include <CGAL/Protrusion_segmentation/closed_segments_with_connectors.h>
 #include <CGAL/Protrusion_segmentation/protrusion_skeleton.h>
 
 #include <iterator>
@@ -52,6 +53,19 @@ std::vector<Part> close_segments(const Arrays& arrays, const Tree_of_arrays& tre
   CGAL::Protrusion_segmentation::closed_segments(mesh.input.mesh, mesh.segments(), mesh.record,
                                                  std::back_inserter(parts));
   return parts;
+}
+
+Connected_parts close_segments_with_connectors(
+  const Arrays& arrays,
+  const Tree_of_arrays& tree,
+  const CGAL::Protrusion_segmentation::Connector_options& options)
+{
+  const Segmented_mesh mesh = segmented_mesh(arrays, tree);
+  Connected_parts found;
+  CGAL::Protrusion_segmentation::closed_segments_with_connectors(
+    mesh.input.mesh, mesh.segments(), mesh.record, options, std::back_inserter(found.parts),
+    std::back_inserter(found.connectors));
+  return found;
 }
 
 std::vector<Joint> find_skeleton(const Arrays& arrays,

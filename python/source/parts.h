@@ -8,6 +8,8 @@
 #include "mesh_of_arrays.h"
 
 #include <CGAL/Protrusion_segmentation/Closed_segment.h>
+#include <CGAL/Protrusion_segmentation/Connector.h>
+#include <CGAL/Protrusion_segmentation/Connector_options.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_record.h>
 #include <CGAL/Protrusion_segmentation/Skeleton_joint.h>
 
@@ -43,10 +45,19 @@ struct Segmented_mesh
 Segmented_mesh segmented_mesh(const Arrays& arrays, const Tree_of_arrays& tree);
 
 using Part = CGAL::Protrusion_segmentation::Closed_segment<tool::Point>;
+struct Connected_parts
+{
+  std::vector<Part> parts;
+  std::vector<CGAL::Protrusion_segmentation::Connector<tool::Point>> connectors;
+};
 using Joint = CGAL::Protrusion_segmentation::Skeleton_joint<tool::Point>;
 
 std::vector<Part> close_segments(const Arrays& arrays, const Tree_of_arrays& tree);
 std::vector<Part> close_segments_by_faired_caps(const Arrays& arrays, const Tree_of_arrays& tree);
+Connected_parts close_segments_with_connectors(
+  const Arrays& arrays,
+  const Tree_of_arrays& tree,
+  const CGAL::Protrusion_segmentation::Connector_options& options);
 std::vector<Joint> find_skeleton(const Arrays& arrays,
                                  const Tree_of_arrays& tree,
                                  int number_of_inner_joints);

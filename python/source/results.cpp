@@ -106,7 +106,7 @@ py::dict as_dict(const Smoothed& smoothed)
   return result;
 }
 
-py::dict as_dict(const std::vector<Joint>& joints)
+py::dict as_python(const std::vector<Joint>& joints)
 {
   std::vector<tool::Point> points;
   std::vector<std::size_t> parents, segments;
@@ -126,7 +126,7 @@ py::dict as_dict(const std::vector<Joint>& joints)
   return result;
 }
 
-py::list as_list(const std::vector<Part>& parts)
+py::list as_python(const std::vector<Part>& parts)
 {
   py::list result;
   for (const Part& part : parts)
@@ -140,6 +140,26 @@ py::list as_list(const std::vector<Part>& parts)
     result.append(py::make_tuple(as_coordinates(part.points), as_array(corners), as_array(sizes)));
   }
   return result;
+}
+
+// Connectors in the order of the fields of `Connector`.
+py::tuple as_python(const Connected_parts& parts)
+{
+  using Status = CGAL::Protrusion_segmentation::Connector_status;
+  const std::map<Status, const char*> names = {{Status::PLACED, "placed"},
+                                               {Status::CAP_TOO_SMALL, "cap too small"},
+                                               {Status::CAP_NOT_FLAT, "cap not flat"},
+                                               {Status::NO_ROOM, "no room"}};
+  py::list connectors;
+  for (const auto& c : parts.connectors)
+  {
+    const py::object base = as_coordinates({c.base}).attr("__getitem__")(0),
+                     end = as_coordinates({c.end}).attr("__getitem__")(0);
+    connectors.append(py::make_tuple(c.segment, c.parent, names.at(c.status), c.cap_radius,
+                                     c.is_peg_on_segment ? c.segment : c.parent, base, end, c.radius,
+                                     c.depth, c.tolerance));
+  }
+  return py::make_tuple(as_python(parts.parts), connectors);
 }
 
 // in the order of the fields of `Metrics`

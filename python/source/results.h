@@ -20,8 +20,9 @@ namespace python {
 // What C++ found as arrays of numpy, by the names of the fields in _results.py.
 pybind11::dict as_dict(const Segmentation& segmentation);
 pybind11::dict as_dict(const Smoothed& smoothed);
-pybind11::dict as_dict(const std::vector<Joint>& joints);
-pybind11::list as_list(const std::vector<Part>& parts);
+pybind11::dict as_python(const std::vector<Joint>& joints);
+pybind11::list as_python(const std::vector<Part>& parts);
+pybind11::tuple as_python(const Connected_parts& parts);
 pybind11::list as_list(const std::vector<CGAL::Protrusion_segmentation::Segmentation_metrics>& metrics);
 
 } // namespace python

@@ -37,6 +37,32 @@ def test_segments_are_closed(caps):
     assert sum(volumes) == pytest.approx(whole, rel=1e-9 if caps == "flat" else 0.2)
 
 
+def test_connectors():
+    flat = [volume(part.vertices, part.faces) for part in ps.closed_segments(POINTS, TRIANGLES, FOUND)]
+    parts, connectors = ps.closed_segments_with_connectors(POINTS, TRIANGLES, FOUND, 0.01, sides=4, smallest_radius=0)
+    assert [(c.segment, c.parent) for c in connectors] == [(s, FOUND.parents[s]) for s in range(1, 7)]
+    for part in parts:
+        assert is_closed(part.faces)
+    placed = [c for c in connectors if c.status == "placed"]
+    assert len(placed) == 6
+    for c in placed:
+        assert c.tolerance == 0.01 and c.base.shape == (3,)
+        assert np.linalg.norm(c.end - c.base) == pytest.approx(c.depth)
+        assert c.peg_segment == c.segment and volume(parts[c.segment].vertices, parts[c.segment].faces) > flat[c.segment]
+    assert volume(parts[0].vertices, parts[0].faces) < flat[0]
+
+
+def test_wrong_connectors():
+    for wrong, message in (
+        ({"sides": 2}, "^sides is 2"),
+        ({"radius": 1}, "^connectors: radius is out of range$"),
+        ({"tolerance": -1}, "^connectors: tolerance is out of range$"),
+        ({"depth": "deep"}, "^depth is no number, but 'deep'$"),
+    ):
+        with pytest.raises(ValueError, match=message):
+            ps.closed_segments_with_connectors(POINTS, TRIANGLES, FOUND, **wrong)
+
+
 def test_other_labels():
     two = dataclasses.replace(FOUND, labels=np.minimum(FOUND.labels, 1), parents=[0, 0], tips=[-1, FOUND.tips[1]])
     assert len(ps.closed_segments(POINTS, TRIANGLES, two)) == 2

@@ -112,6 +112,8 @@ void check_outputs(const Command_line& command_line)
     throw std::invalid_argument(
       "--close has no meaning without a %d or %s in the name of an output, or .3mf, or --format "
       "with a format of meshes");
+  if (command_line.has_connectors && command_line.caps != "flat")
+    throw std::invalid_argument("--connectors has no meaning without --close=flat");
   if (!command_line.borders.empty() && lower_case_extension(command_line.borders) != ".vtp")
     throw std::invalid_argument("--borders: '" + command_line.borders + "' has not the extension .vtp");
   if (!command_line.skeleton.empty() && lower_case_extension(command_line.skeleton) != ".vtp")

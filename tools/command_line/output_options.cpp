@@ -63,7 +63,7 @@ void add_options_of_formats(CLI::App& app, Format_options& options, const char* 
       "--colors", [&](const std::string& choice) { options.are_colors_of_input = choice == "input"; },
       "segments: colours and materials are those of segments (the default)\n"
       "input: they are those of the input where it has some: vertex colours in PLY, OBJ and glTF, "
-      "materials in OBJ. Texture coordinates and normals stay in any case.")
+      "materials in OBJ and glTF, with their pictures in the latter. Texture coordinates and normals stay in any case.")
     ->check(CLI::IsMember({"segments", "input"}).description(""))
     ->type_name("NAME")
     ->group(group);

@@ -6,6 +6,7 @@
 
 #include "command_line/Help_formatter.h"
 #include "command_line/check_command_line.h"
+#include "command_line/connector_options.h"
 #include "command_line/integer_option.h"
 #include "command_line/number.h"
 #include "command_line/output_options.h"
@@ -201,6 +202,8 @@ void add_help(CLI::App& app)
      {"segment_by_protrusions horse.obj -k 7 --report horse.html",
       "seven segments, a page for the browser"},
      {"segment_by_protrusions horse.obj -o 'parts/%d.obj' --close", "a closed mesh of each segment"},
+     {"segment_by_protrusions horse.stl -o '%d.stl' --close --connectors --tolerance 0.2",
+      "parts with pegs and sockets, to be printed and put together"},
      {"segment_by_protrusions horse.obj --labels a.seg --names a.json -o 'parts/%s.obj' --close",
       "closed meshes of segments that were edited and named in the page"},
      {"segment_by_protrusions meshes --output-folder segments --jobs 2", "all meshes in a folder"}});
@@ -221,6 +224,7 @@ void add_options(CLI::App& app, Command_line& command_line)
     ->required()
     ->type_name("");
   add_output_options(app, command_line);
+  add_connector_options(app, command_line);
   add_segmentation_options(app, command_line);
   add_options_of_distances(app, command_line.options);
   add_collection_options(app, command_line);
@@ -230,6 +234,8 @@ void add_options(CLI::App& app, Command_line& command_line)
     {
       command_line.options.are_pieces_joined = !command_line.joining.empty();
       command_line.options.gap = number<double>(command_line.joining);
+      if (command_line.has_connectors)
+        command_line.options.connectors = command_line.connectors;
       check(app, command_line);
       if (command_line.options.distance.empty() && command_line.options.method == "paper")
         command_line.options.distance = "geodesic";

@@ -33,6 +33,8 @@ struct Command_line
   std::string joining; // of pieces: empty, "auto", or a gap
   std::string names;   // empty: none
   std::string caps;    // empty: none; else "flat", "faired" or "hull"
+  bool has_connectors = false;
+  CGAL::Protrusion_segmentation::Connector_options connectors; // if there are some
   bool is_quiet = false;
 
   // of a collection of meshes

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,19 @@ struct Corner_values
   }
 };
 
+// A picture of a glTF file: what is in it or, if that was not found, where it should be.
+struct Picture
+{
+  std::string bytes, mime_type, uri;
+};
+
+// The materials of a glTF file: its JSON, and its pictures in their order.
+struct Gltf_materials
+{
+  std::string json;
+  std::vector<Picture> pictures;
+};
+
 // What a file says of a surface besides points and faces. What it does not say is empty.
 struct Surface_attributes
 {
@@ -47,6 +61,7 @@ struct Surface_attributes
   std::vector<std::size_t> materials;               // of the faces, by their names, or `no_index`
   std::vector<std::string> material_names;
   std::vector<std::string> material_files; // those of OBJ
+  std::shared_ptr<const Gltf_materials> gltf_materials; // of a glTF file, whose numbers those of the faces are
 };
 
 } // namespace tool

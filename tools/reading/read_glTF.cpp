@@ -2,13 +2,14 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// By tinygltf, which knows the file but not what makes sense in it: indices and sizes are checked here. Pictures are left alone.
+// By tinygltf, which knows the file but not what makes sense in it: indices and sizes are checked here. Pictures are kept as they are.
 
 #include "reading/formats.h"
 
 #include "reading/Format_error.h"
 #include "reading/Gltf_accessors.h"
 #include "reading/Gltf_attributes.h"
+#include "reading/gltf_materials.h"
 
 #include <CGAL/Aff_transformation_3.h>
 
@@ -23,26 +24,13 @@ namespace {
 
 using Transformation = CGAL::Aff_transformation_3<CGAL::Simple_cartesian<double>>;
 
-bool ignore_picture(tinygltf::Image*,
-                    int,
-                    std::string*,
-                    std::string*,
-                    int,
-                    int,
-                    const unsigned char*,
-                    int,
-                    void*)
-{
-  return true;
-}
-
 tinygltf::Model parse(const std::string& bytes, const std::string& folder)
 {
   if (bytes.size() > (std::numeric_limits<unsigned int>::max)())
     throw Format_error("has more than 4 GB, which glTF cannot have");
   const auto size = static_cast<unsigned int>(bytes.size());
   tinygltf::TinyGLTF loader;
-  loader.SetImageLoader(ignore_picture, nullptr);
+  loader.SetImageLoader(keep_picture, nullptr);
   tinygltf::Model model;
   std::string error, warning;
   const bool is_binary = bytes.compare(0, 4, "glTF") == 0;
@@ -101,11 +89,12 @@ class Scene_triangles
 public:
   explicit Scene_triangles(const tinygltf::Model& model) : m_model(model), m_accessors(model) {}
 
-  Polygon_soup collect()
+  Polygon_soup collect(const std::string& bytes)
   {
     for (const int root : roots())
       add_node(root, Transformation(CGAL::IDENTITY), 0);
     m_soup.attributes = m_attributes.take(m_soup.polygons);
+    add_materials(m_model, bytes, std::move(m_materials), m_soup.attributes);
     return std::move(m_soup);
   }
 
@@ -152,6 +141,9 @@ private:
         transform.transform(Point(coordinates[i], coordinates[i + 1], coordinates[i + 2])));
     m_attributes.add(primitive, coordinates.size() / 3, transform);
     add_triangles(corners_of(primitive, coordinates.size() / 3, first), mode, transform.is_odd());
+    const auto number_of_materials = static_cast<int>(m_model.materials.size());
+    const bool has_material = primitive.material >= 0 && primitive.material < number_of_materials;
+    m_materials.resize(m_soup.polygons.size(), has_material ? std::size_t(primitive.material) : no_index);
   }
 
   // As indices of points, the first of which is that of the first vertex.
@@ -192,6 +184,7 @@ private:
   Gltf_accessors m_accessors;
   Gltf_attributes m_attributes{m_accessors};
   Polygon_soup m_soup;
+  std::vector<std::size_t> m_materials; // of the triangles
   std::size_t m_number_of_nodes = 0;
 };
 
@@ -201,7 +194,7 @@ Polygon_soup read_glTF(const std::string& bytes, const std::string& folder)
 {
   const tinygltf::Model model = parse(bytes, folder);
   check_extensions(model);
-  return Scene_triangles(model).collect();
+  return Scene_triangles(model).collect(bytes);
 }
 
 } // namespace tool

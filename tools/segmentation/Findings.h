@@ -12,6 +12,9 @@
 #include "segmentation/smooth_borders.h"
 #include "writing/Format_options.h"
 
+#include <CGAL/Protrusion_segmentation/Connector.h>
+#include <CGAL/Protrusion_segmentation/Connector_options.h>
+
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -41,9 +44,12 @@ struct Segmentation_options
   std::optional<double> gap; // up to which pieces are joined; unset: a share of the size
   std::optional<double> weld_distance; // up to which corners on borders are one; unset: as the numbers tell
   std::string caps; // of a collection: what closes the parts, "flat" or "faired"; empty: there are none
+  std::optional<CGAL::Protrusion_segmentation::Connector_options> connectors; // of parts with flat caps; unset: there are none
   Format_options formats; // of what is written
   std::size_t threads = 1; // no matter for the result
 };
+
+using Connector = CGAL::Protrusion_segmentation::Connector<Point>;
 
 struct Segmentation
 {
@@ -66,6 +72,9 @@ struct Findings
   std::string note; // empty, or why there are not as many segments as were asked for
 
   std::vector<std::string> formats; // of the segments of a collection, which are known by their names alone
+
+  // Of each cap; unset if there were none to be put on.
+  std::optional<std::vector<Connector>> connectors;
 
   // Unset until the segments and the report are written.
   std::optional<double> seconds_for_writing;

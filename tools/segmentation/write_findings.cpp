@@ -6,12 +6,11 @@
 
 #include "reading/lower_case_extension.h"
 #include "report/report.h"
+#include "segmentation/make_closed_parts.h"
 #include "segmentation/timing.h"
 #include "writing/Output_files.h"
 #include "writing/borders.h"
 #include "writing/carried_attributes.h"
-#include "writing/closed_parts.h"
-#include "writing/hulls.h"
 #include "writing/json.h"
 #include "writing/outputs.h"
 #include "writing/part_names.h"
@@ -30,26 +29,6 @@ namespace tool
 {
 namespace
 {
-
-std::vector<Polygon_soup> find_closed_parts(const Findings& findings, Caps caps)
-{
-  const Segmentation& segmentation = findings.segmentation;
-  if (caps == Caps::HULL)
-    return convex_hulls(findings.mesh_of_borders(), findings.segments_at_borders(), segmentation.number_of_segments);
-  return closed_parts(findings.mesh_of_borders(), findings.segments_at_borders(), segmentation.record,
-                      caps == Caps::FAIRED);
-}
-
-std::vector<Segmented_soup> make_closed_parts(const Findings& findings, Caps caps)
-{
-  std::vector<Segmented_soup> parts;
-  for (Polygon_soup& part : find_closed_parts(findings, caps))
-  {
-    const std::size_t number_of_faces = part.polygons.size();
-    parts.push_back({std::move(part), std::vector<std::size_t>(number_of_faces, parts.size()), {}, findings.names});
-  }
-  return parts;
-}
 
 // The mesh with smooth borders, in faces that know which of the file they are a piece of.
 Segmented_soup soup_of(const Findings& findings, const Polygon_soup& file)
@@ -94,6 +73,12 @@ std::vector<std::string> part_names(const std::string& name, const Output_names&
   return result;
 }
 
+// Does an output hold closed parts, in one file or several?
+bool is_closed(const std::string& name, const Output_names& names, const Findings& findings)
+{
+  return names.caps != Caps::NONE && (holds_parts(name) || !part_names(name, names, findings).empty());
+}
+
 } // namespace
 
 Caps caps_of_name(const std::string& name)
@@ -123,13 +108,22 @@ void write_findings(Findings& findings, const Output_names& names, const Recorde
   {
     const double all = double(names.segments.size() + 5); // that of what may be written besides
     if (progress)
-      progress(end_of_segmentation + (1 - end_of_segmentation) * double(number_of_begun++) / all, "writing " + name,
-               findings.segmentation.record.protrusions().size());
+      progress(end_of_segmentation + (1 - end_of_segmentation) * double(number_of_begun++) / all,
+               "writing " + name, findings.segmentation.record.protrusions().size());
   };
-  Segmented_soup segmented = {std::move(findings.mesh.soup), // until the meshes are written: as large as they are
-                              labels_of_file(findings.segmentation.segment_ids, findings.mesh), {}, findings.names};
+  Segmented_soup segmented = {
+    std::move(findings.mesh.soup), // until the meshes are written: as large as they are
+    labels_of_file(findings.segmentation.segment_ids, findings.mesh),
+    {},
+    findings.names};
   if (names.caps == Caps::FLAT || names.caps == Caps::FAIRED)
     findings.add_note(note_on_boundary(findings.mesh.mesh));
+  const bool has_parts = std::any_of(names.segments.begin(), names.segments.end(),
+                                     [&](const std::string& name)
+                                     { return is_closed(name, names, findings); });
+  const std::vector<Segmented_soup> closed = has_parts
+                                               ? make_closed_parts(findings, segmented.soup, names.caps)
+                                               : std::vector<Segmented_soup>();
   const Segmented_soup cut = findings.smoothed ? soup_of(findings, segmented.soup) : Segmented_soup();
   Output_files files;
   for (const std::string& name : names.segments)
@@ -138,12 +132,12 @@ void write_findings(Findings& findings, const Output_names& names, const Recorde
     const Segmented_soup& whole = findings.smoothed && holds_a_mesh(name) ? cut : segmented;
     const std::vector<std::string> parts = part_names(name, names, findings);
     const Format_options& options = findings.options.formats;
-    if (parts.empty() && names.caps != Caps::NONE && holds_parts(name))
-      add_output_of_parts(name, make_closed_parts(findings, names.caps), files);
+    if (parts.empty() && is_closed(name, names, findings))
+      add_output_of_parts(name, closed, files);
     else if (parts.empty())
       add_output(name, whole, options, files);
     else if (names.caps != Caps::NONE)
-      add_parts(parts, make_closed_parts(findings, names.caps), options, files);
+      add_parts(parts, closed, options, files);
     else
       add_parts(parts, parts_of(whole, findings.segmentation.number_of_segments), options, files);
   }

@@ -124,6 +124,28 @@ std::size_t Gltf_document::add_material(std::size_t segment, const std::string& 
                    {"roughnessFactor", 0.8}}}});
 }
 
+std::size_t Gltf_document::add_picture(const std::string& bytes, const std::string& mime_type)
+{
+  constexpr std::size_t alignment = 4; // of what comes behind
+  const Json view = {{"buffer", 0}, {"byteOffset", m_bytes.size()}, {"byteLength", bytes.size()}};
+  m_bytes += bytes;
+  m_bytes.resize((m_bytes.size() + alignment - 1) / alignment * alignment, '\0');
+  return append("images", {{"bufferView", append("bufferViews", view)}, {"mimeType", mime_type}});
+}
+
+void Gltf_document::use_extension(const std::string& name, bool is_required)
+{
+  const auto add = [&](const char* list)
+  {
+    const Json known = m_json.value(list, Json::array());
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      append(list, name);
+  };
+  add("extensionsUsed");
+  if (is_required)
+    add("extensionsRequired");
+}
+
 std::string Gltf_document::text_with_buffer(const Json& buffer, int indentation) const
 {
   Json json = m_json;

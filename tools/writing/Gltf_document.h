@@ -42,6 +42,12 @@ public:
   // White if vertices have the colours.
   std::size_t add_material(std::size_t segment, const std::string& name, bool is_white = false);
 
+  // A picture as it is in its file. Returns its index among the images.
+  std::size_t add_picture(const std::string& bytes, const std::string& mime_type);
+
+  // Says that elements use an extension, and whether the file cannot be shown without it.
+  void use_extension(const std::string& name, bool is_required);
+
   void set_roots(const std::vector<std::size_t>& nodes) { m_json["scenes"][0]["nodes"] = nodes; }
 
   void write_binary(std::ostream& out) const;

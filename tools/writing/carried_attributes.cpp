@@ -111,6 +111,7 @@ public:
           result.indices.back().push_back(
             index(old.indices[face], face, m_pieces.points[corner], result.values));
     }
+    result.indices.resize(m_pieces.polygons.size()); // none for what is no piece
     return result;
   }
 
@@ -180,6 +181,7 @@ Surface_attributes attributes_of_part(const Surface_attributes& whole,
       part.materials.push_back(whole.materials[face]);
   part.material_names = whole.material_names;
   part.material_files = whole.material_files;
+  part.gltf_materials = whole.gltf_materials;
   return part;
 }
 
@@ -208,10 +210,14 @@ Surface_attributes attributes_of_pieces(const Polygon_soup& whole,
   result.normals = of_faces.values(whole.attributes.normals);
   result.colors = of_faces.colors();
   if (!whole.attributes.materials.empty())
+  {
     for (const std::size_t face : old_faces)
       result.materials.push_back(whole.attributes.materials[face]);
+    result.materials.resize(pieces.polygons.size(), no_index);
+  }
   result.material_names = whole.attributes.material_names;
   result.material_files = whole.attributes.material_files;
+  result.gltf_materials = whole.attributes.gltf_materials;
   return result;
 }
 

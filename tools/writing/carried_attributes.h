@@ -23,7 +23,7 @@ Surface_attributes attributes_of_part(const Surface_attributes& whole,
 Surface_attributes attributes_of_triangles(const Polygon_soup& whole);
 
 // Those of pieces of the faces: `old_faces[i]` is the face of `whole` that polygon i of `pieces` is a piece of. New corners get
-// values between those of the face.
+// values between those of the face. Polygons behind these have no values.
 Surface_attributes attributes_of_pieces(const Polygon_soup& whole,
                                         const Polygon_soup& pieces,
                                         const std::vector<std::size_t>& old_faces);

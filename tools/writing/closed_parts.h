@@ -8,19 +8,30 @@
 #include "reading/Mesh.h"
 #include "reading/Polygon_soup.h"
 
+#include <CGAL/Protrusion_segmentation/Connector.h>
+#include <CGAL/Protrusion_segmentation/Connector_options.h>
 #include <CGAL/Protrusion_segmentation/Segmentation_record.h>
 
 #include <cstddef>
 #include <vector>
 
-namespace tool
-{
+namespace tool {
+
+using Record = CGAL::Protrusion_segmentation::Segmentation_record<Mesh>;
 
 // For each segment its faces and the triangles that close it, by flat caps that two segments share or by a rounded one for each.
 std::vector<Polygon_soup> closed_parts(const Mesh& mesh,
                                        const std::vector<std::size_t>& segment_of_face,
-                                       const CGAL::Protrusion_segmentation::Segmentation_record<Mesh>& record,
+                                       const Record& record,
                                        bool are_caps_faired);
+
+// By flat caps with pegs and sockets, of which `connectors` tells.
+std::vector<Polygon_soup> connected_parts(
+  const Mesh& mesh,
+  const std::vector<std::size_t>& segment_of_face,
+  const Record& record,
+  const CGAL::Protrusion_segmentation::Connector_options& options,
+  std::vector<CGAL::Protrusion_segmentation::Connector<Point>>& connectors);
 
 } // namespace tool
 

@@ -16,27 +16,35 @@ namespace {
 
 using Json = Gltf_document::Json;
 
-// One node with a mesh of all primitives, or a node with a mesh for each.
-std::vector<std::size_t> add_nodes(const std::vector<Segment_primitive>& primitives,
-                                   bool is_one_object,
-                                   Gltf_document& document)
+std::size_t add_mesh(const std::string& name, const Json& primitives, Gltf_document& document)
 {
-  std::vector<std::size_t> nodes;
+  return document.append("meshes", {{"name", name}, {"primitives", primitives}});
+}
+
+std::vector<std::size_t> add_node_of_all(const std::vector<Segment_primitive>& primitives,
+                                         Gltf_document& document)
+{
   Json all = Json::array();
   for (const auto& [segment, name, primitive] : primitives)
-    if (is_one_object)
-      all.push_back(primitive);
-    else
-    {
-      const std::size_t mesh = document.append(
-        "meshes", {{"name", name}, {"primitives", Json::array({primitive})}});
-      nodes.push_back(
-        document.append("nodes", {{"name", name}, {"mesh", mesh}, {"extras", {{"segment", segment}}}}));
-    }
-  if (is_one_object)
-    nodes.push_back(document.append(
-      "nodes",
-      {{"name", "mesh"}, {"mesh", document.append("meshes", {{"name", "mesh"}, {"primitives", all}})}}));
+    all.push_back(primitive);
+  return {document.append("nodes", {{"name", "mesh"}, {"mesh", add_mesh("mesh", all, document)}})};
+}
+
+// Those of one segment follow each other.
+std::vector<std::size_t> add_node_for_each_segment(const std::vector<Segment_primitive>& primitives,
+                                                   Gltf_document& document)
+{
+  std::vector<std::size_t> nodes;
+  for (std::size_t i = 0; i < primitives.size();)
+  {
+    const auto& [segment, name, first] = primitives[i];
+    Json of_segment = Json::array();
+    for (; i < primitives.size() && primitives[i].segment == segment; ++i)
+      of_segment.push_back(primitives[i].primitive);
+    nodes.push_back(document.append("nodes", {{"name", name},
+                                              {"mesh", add_mesh(name, of_segment, document)},
+                                              {"extras", {{"segment", segment}}}}));
+  }
   return nodes;
 }
 
@@ -44,9 +52,11 @@ Gltf_document make_document(const Output& output)
 {
   Gltf_document document;
   const Gltf_frame frame(output.surface.soup.points, output.options.up);
-  document.set_roots(frame.add_root(
-    add_nodes(add_primitives(output, frame, document), output.options.is_one_object, document),
-    document));
+  const std::vector<Segment_primitive> primitives = add_primitives(output, frame, document);
+  document.set_roots(frame.add_root(output.options.is_one_object
+                                      ? add_node_of_all(primitives, document)
+                                      : add_node_for_each_segment(primitives, document),
+                                    document));
   return document;
 }
 

@@ -4,6 +4,7 @@
 
 #include "writing/gltf_primitives.h"
 
+#include "writing/Copied_materials.h"
 #include "writing/corner_normals.h"
 #include "writing/palette.h"
 #include "writing/triangles.h"
@@ -11,6 +12,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <unordered_map>
 
 namespace tool {
@@ -22,7 +25,7 @@ using Json = Gltf_document::Json;
 class Vertices
 {
 public:
-  // `has_texture` says whether all corners have texture coordinates.
+  // `has_texture` says whether some corners have texture coordinates; those of the others are zero then.
   Vertices(const Polygon_soup& soup, const Gltf_frame& frame, bool has_texture, bool has_colors)
     : m_soup(soup),
       m_frame(frame),
@@ -34,7 +37,8 @@ public:
   {
     const std::size_t point = m_soup.polygons[face][corner];
     const Corner_values<2>& textures = m_soup.attributes.texture_coordinates;
-    const std::size_t texture = m_has_texture ? textures.indices[face][corner] : no_index;
+    const std::size_t texture = m_has_texture && textures.has(face) ? textures.indices[face][corner]
+                                                                    : no_index;
     const auto next = static_cast<std::uint32_t>(m_points.size());
     const auto [known, is_new] = m_last_of_point.emplace(point, next);
     if (!is_new)
@@ -54,9 +58,13 @@ public:
     const std::array<float, 3> coordinates = m_frame.position(m_soup.points[point]);
     m_positions.insert(m_positions.end(), coordinates.begin(), coordinates.end());
     m_normals.insert(m_normals.end(), normal.begin(), normal.end());
-    if (m_has_texture) // glTF counts downwards
-      for (const double coordinate : {textures.values[texture][0], 1 - textures.values[texture][1]})
-        m_textures.push_back(static_cast<float>(coordinate));
+    if (m_has_texture)
+    {
+      const std::array<double, 2> value = texture == no_index ? std::array<double, 2>{0, 0}
+                                                              : textures.values[texture];
+      m_textures.push_back(static_cast<float>(value[0]));
+      m_textures.push_back(static_cast<float>(1 - value[1])); // glTF counts downwards
+    }
     if (m_has_colors)
       add_color(m_soup.attributes.colors[point]);
     return next;
@@ -113,6 +121,51 @@ std::vector<std::vector<Normal>> normals_of(const Polygon_soup& soup)
         result[face][i] = {float(n[0] / length), float(n[1] / length), float(n[2] / length)};
     }
   return result;
+}
+
+// Faces of a segment with one material of the input, or without that.
+struct Group_of_faces
+{
+  std::size_t segment, material;
+  std::vector<std::size_t> faces;
+};
+
+std::vector<Group_of_faces> groups_of_faces(const Output& output)
+{
+  const std::vector<std::size_t>& materials = output.surface.soup.attributes.materials;
+  const bool has_materials = output.options.are_colors_of_input && !materials.empty();
+  const std::vector<std::vector<std::size_t>> faces = faces_of_segments(output.surface);
+  std::vector<Group_of_faces> result;
+  for (std::size_t segment = 0; segment < faces.size(); ++segment)
+  {
+    std::map<std::size_t, std::vector<std::size_t>> of_materials;
+    for (const std::size_t face : faces[segment])
+      of_materials[has_materials ? materials[face] : no_index].push_back(face);
+    for (auto& [material, faces_of_material] : of_materials)
+      result.push_back({segment, material, std::move(faces_of_material)});
+  }
+  return result;
+}
+
+std::vector<std::uint32_t> corners_of_triangles(const std::vector<std::size_t>& faces,
+                                                const Polygon_soup& soup,
+                                                const std::vector<std::vector<Normal>>& normals,
+                                                Vertices& vertices)
+{
+  std::vector<std::uint32_t> corners;
+  for (const std::size_t face : faces)
+  {
+    Polygon vertex_of_corner;
+    for (std::size_t i = 0; i < soup.polygons[face].size() && soup.polygons[face].size() > 2; ++i)
+      vertex_of_corner.push_back(vertices.add(face, i, normals[face][i]));
+    for_each_triangle(vertex_of_corner,
+                      [&](auto a, auto b, auto c)
+                      {
+                        for (const std::size_t vertex : {a, b, c})
+                          corners.push_back(static_cast<std::uint32_t>(vertex));
+                      });
+  }
+  return corners;
 }
 
 } // namespace
@@ -176,38 +229,29 @@ std::vector<Segment_primitive> add_primitives(const Output& output,
   const Polygon_soup& soup = segmented.soup;
   const bool has_colors = output.options.are_colors_of_input && !soup.attributes.colors.empty();
   const std::vector<std::vector<Normal>> normals = normals_of(soup);
-  const std::vector<std::vector<std::size_t>> faces = faces_of_segments(segmented);
+  Copied_materials copied(output.options.are_colors_of_input ? soup.attributes : Surface_attributes(),
+                          document);
   std::vector<Segment_primitive> result;
-  for (std::size_t segment = 0; segment < faces.size(); ++segment)
+  for (const auto& [segment, material, faces] : groups_of_faces(output))
   {
-    const bool has_texture = std::all_of(faces[segment].begin(), faces[segment].end(),
+    const bool has_texture = std::any_of(faces.begin(), faces.end(),
                                          [&](std::size_t face)
                                          { return soup.attributes.texture_coordinates.has(face); });
     Vertices vertices(soup, frame, has_texture, has_colors);
-    std::vector<std::uint32_t> corners;
-    for (const std::size_t face : faces[segment])
-    {
-      Polygon vertex_of_corner;
-      for (std::size_t i = 0; i < soup.polygons[face].size() && soup.polygons[face].size() > 2; ++i)
-        vertex_of_corner.push_back(vertices.add(face, i, normals[face][i]));
-      for_each_triangle(vertex_of_corner,
-                        [&](auto a, auto b, auto c)
-                        {
-                          for (const std::size_t vertex : {a, b, c})
-                            corners.push_back(static_cast<std::uint32_t>(vertex));
-                        });
-    }
+    const std::vector<std::uint32_t> corners = corners_of_triangles(faces, soup, normals, vertices);
     if (corners.empty())
       continue;
     const std::string name = segmented.name_of(segment);
     Json attributes = vertices.add_attributes(segment, document);
     if (add_attributes)
       add_attributes(vertices.points(), attributes);
-    result.push_back({segment,
-                      name,
-                      {{"attributes", attributes},
-                       {"indices", document.add_corners(corners)},
-                       {"material", document.add_material(segment, name, has_colors)}}});
+    const auto of_input = material == no_index ? std::nullopt : copied.material(material);
+    result.push_back(
+      {segment,
+       name,
+       {{"attributes", attributes},
+        {"indices", document.add_corners(corners)},
+        {"material", of_input ? *of_input : document.add_material(segment, name, has_colors)}}});
   }
   return result;
 }

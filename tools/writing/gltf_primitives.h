@@ -35,7 +35,7 @@ private:
   bool m_is_turned;
 };
 
-// The triangles of a segment, with a material.
+// The triangles of a segment with one material.
 struct Segment_primitive
 {
   std::size_t segment;
@@ -46,7 +46,8 @@ struct Segment_primitive
 // Adds attributes for the vertices of a segment, whose points it is told.
 using Add_attributes = std::function<void(const std::vector<std::size_t>& points, Gltf_document::Json& attributes)>;
 
-// Of all segments that have triangles.
+// Of all segments that have triangles, one for each material of the input if that is asked for. Those of a segment follow each
+// other.
 std::vector<Segment_primitive> add_primitives(const Output& output,
                                               const Gltf_frame& frame,
                                               Gltf_document& document,

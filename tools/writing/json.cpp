@@ -242,6 +242,8 @@ Json describe(const Findings& findings)
     .add("protrusions", describe_protrusions(findings))
     .add("borders", describe_borders(findings))
     .add("skeleton", describe_skeleton(findings))
+    .add_if(findings.connectors.has_value(), "connectors",
+            describe(findings.connectors.value_or(std::vector<Connector>())))
     .add("hierarchy", describe_hierarchy(findings.segmentation));
   return object.take();
 }

@@ -10,6 +10,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <ostream>
+#include <vector>
 
 namespace tool
 {
@@ -22,6 +23,11 @@ nlohmann::ordered_json describe(const Findings& findings);
 
 // What was asked of it; with the same answer a second run would find the same.
 nlohmann::ordered_json describe(const Segmentation_options& options);
+
+nlohmann::ordered_json describe(const CGAL::Protrusion_segmentation::Connector_options& options);
+
+// Whether caps have connectors, where and of what size.
+nlohmann::ordered_json describe(const std::vector<Connector>& connectors);
 
 void write_json(std::ostream& out, const nlohmann::ordered_json& json);
 

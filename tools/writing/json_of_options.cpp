@@ -31,6 +31,8 @@ Json describe(const Segmentation_options& options)
     .add_if(options.gap.has_value(), "gap", options.gap.value_or(0))
     .add_if(options.weld_distance.has_value(), "weld_distance", options.weld_distance.value_or(0))
     .add_if(!options.caps.empty(), "caps", options.caps)
+    .add_if(options.connectors.has_value(), "connectors_requested",
+            options.connectors ? describe(*options.connectors) : Json())
     .add("triangulate", options.formats.are_faces_triangulated)
     .add("one_object", options.formats.is_one_object)
     .add("colors", options.formats.are_colors_of_input ? "input" : "segments")

@@ -133,7 +133,7 @@ void write_OBJ(std::ostream& out, const Output& output)
       if (has_materials_of_input && soup.attributes.materials[face] != material)
       {
         material = soup.attributes.materials[face];
-        out << "usemtl " << (material == no_index ? "" : soup.attributes.material_names[material])
+        out << "usemtl " << (material == no_index ? "none" : soup.attributes.material_names[material])
             << "\n";
       }
       write_face(out, soup, face);

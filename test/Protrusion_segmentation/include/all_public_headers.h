@@ -30,6 +30,7 @@
 #include <CGAL/Protrusion_segmentation/Segmentation_visitor.h>
 #include <CGAL/Protrusion_segmentation/Skeleton_joint.h>
 #include <CGAL/Protrusion_segmentation/closed_segments.h>
+#include <CGAL/Protrusion_segmentation/closed_segments_with_connectors.h>
 #include <CGAL/Protrusion_segmentation/faired_closed_segments.h>
 #include <CGAL/Protrusion_segmentation/join_pieces.h>
 #include <CGAL/Protrusion_segmentation/label_confidence.h>

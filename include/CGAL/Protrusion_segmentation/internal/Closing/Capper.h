@@ -63,13 +63,15 @@ public:
   // Triangles with all edges of the loop in its direction.
   std::vector<Triangle> cap(Loop loop);
 
+  // Is there an edge of the mesh or inside of a cap? The smaller vertex comes first.
+  bool is_edge(const std::pair<std::size_t, std::size_t>& edge) const;
+
 private:
   using Edge = std::pair<std::size_t, std::size_t>;
 
   std::vector<Triangle> make_cap(const Loop& loop);
   std::vector<Triangle> triangulate(const Loop& loop) const;
   std::vector<Triangle> fan(const Loop& loop);
-  bool is_edge(const Edge& edge) const;
 
   const Mesh_to_close& m_mesh;
   std::vector<Mesh_to_close::Point> m_points;

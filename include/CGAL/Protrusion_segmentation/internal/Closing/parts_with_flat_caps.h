@@ -7,7 +7,9 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Closing/Capper.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
@@ -134,33 +136,49 @@ private:
   std::multiset<Triangle> m_triangles;
 };
 
+// Where a segment with all that sticks out of it is cut off.
+struct Flat_cap
+{
+  std::size_t segment, parent;
+  Loop loop;                        // with the segment on the left
+  std::vector<Triangle> of_segment; // what closes the segment there
+  std::vector<Triangle> of_parent;  // the same, turned over, unless there is a connector
+};
+
+// `parents` has for each segment what it sticks out of, itself for a body. A border that ends at a border of the mesh gets no cap.
+inline std::vector<Flat_cap> flat_caps(const Mesh_to_close& mesh,
+                                       const std::vector<std::size_t>& segment_of_face,
+                                       const std::vector<std::size_t>& parents,
+                                       Capper& capper)
+{
+  const Borders_of_segments borders(mesh, segment_of_face);
+  std::vector<Flat_cap> caps;
+  for (std::size_t s = 0; s < parents.size(); ++s)
+    if (parents[s] != s)
+      for (const Loop& loop : borders.loops_around(subtree(s, parents)))
+      {
+        Flat_cap cap = {s, parents[s], loop, {}, capper.cap(loop)};
+        std::transform(cap.of_parent.begin(), cap.of_parent.end(), std::back_inserter(cap.of_segment),
+                       turned_over); // its edges meet those of the faces of the segment
+        caps.push_back(std::move(cap));
+      }
+  return caps;
+}
+
 struct Parts_with_flat_caps
 {
   std::vector<Mesh_to_close::Point> points; // of all vertices of the mesh and, behind them, of caps
   std::vector<std::vector<Loop>> polygons;  // of each segment
 };
 
-// For each segment its faces and the triangles that close it. Where a segment and all that sticks out of it is cut off, both
-// sides get the same cap, turned over: so all parts of a closed mesh are closed, and their volumes add up to the whole. A
-// border that ends at a border of the mesh gets no cap. `parents` has for each segment what it sticks out of, itself for a body.
-inline Parts_with_flat_caps parts_with_flat_caps(const Mesh_to_close& mesh,
-                                                 const std::vector<std::size_t>& segment_of_face,
-                                                 const std::vector<std::size_t>& parents)
+// For each segment its faces and the triangles of its caps.
+inline Parts_with_flat_caps parts_with_caps(const Mesh_to_close& mesh,
+                                            const std::vector<std::size_t>& segment_of_face,
+                                            std::size_t number_of_segments,
+                                            const std::vector<Flat_cap>& caps,
+                                            const std::vector<Mesh_to_close::Point>& points)
 {
-  Capper capper(mesh);
-  const Borders_of_segments borders(mesh, segment_of_face);
-  std::vector<Caps_of_part> caps(parents.size());
-  for (std::size_t s = 0; s < parents.size(); ++s)
-    if (parents[s] != s)
-      for (const Loop& loop : borders.loops_around(subtree(s, parents)))
-        for (const Triangle& triangle : capper.cap(loop))
-        {
-          caps[s].add(turned_over(triangle)); // its edges meet those of the faces of the segment
-          caps[parents[s]].add(triangle);
-        }
-
-  Parts_with_flat_caps result;
-  result.polygons.resize(parents.size());
+  Parts_with_flat_caps result = {points, std::vector<std::vector<Loop>>(number_of_segments)};
   for (const auto f : faces(mesh))
   {
     Loop corners;
@@ -168,11 +186,29 @@ inline Parts_with_flat_caps parts_with_flat_caps(const Mesh_to_close& mesh,
       corners.push_back(std::size_t(v));
     result.polygons[segment_of_face[f]].push_back(std::move(corners));
   }
-  for (std::size_t s = 0; s < parents.size(); ++s)
-    for (const Triangle& triangle : caps[s].triangles())
+  std::vector<Caps_of_part> caps_of_parts(number_of_segments);
+  for (const Flat_cap& cap : caps)
+  {
+    for (const Triangle& triangle : cap.of_segment)
+      caps_of_parts[cap.segment].add(triangle);
+    for (const Triangle& triangle : cap.of_parent)
+      caps_of_parts[cap.parent].add(triangle);
+  }
+  for (std::size_t s = 0; s < number_of_segments; ++s)
+    for (const Triangle& triangle : caps_of_parts[s].triangles())
       result.polygons[s].emplace_back(triangle.begin(), triangle.end());
-  result.points = capper.points();
   return result;
+}
+
+// Where a segment and all that sticks out of it is cut off, both sides get the same cap, turned over: so all parts of a closed
+// mesh are closed, and their volumes add up to the whole.
+inline Parts_with_flat_caps parts_with_flat_caps(const Mesh_to_close& mesh,
+                                                 const std::vector<std::size_t>& segment_of_face,
+                                                 const std::vector<std::size_t>& parents)
+{
+  Capper capper(mesh);
+  const std::vector<Flat_cap> caps = flat_caps(mesh, segment_of_face, parents, capper);
+  return parts_with_caps(mesh, segment_of_face, parents.size(), caps, capper.points());
 }
 
 } // namespace CGAL::Protrusion_segmentation::internal
