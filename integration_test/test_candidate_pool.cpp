@@ -82,9 +82,9 @@ void test_error(std::size_t arms, std::size_t number_of_segments)
   Cut_weights others;
   others.segment_size = -2;
   Candidate_pool pool(model);
-  CHECK_CLOSE(pool.rand_index_error(weights), expected_error(model, weights), 1e-12);
+  CGAL_CHECK_CLOSE(pool.rand_index_error(weights), expected_error(model, weights), 1e-12);
   pool.rand_index_error(others);
-  CHECK_CLOSE(pool.rand_index_error(weights), expected_error(model, weights), 1e-12);
+  CGAL_CHECK_CLOSE(pool.rand_index_error(weights), expected_error(model, weights), 1e-12);
 }
 
 // Long cuts away from seams are no arms of a star.
@@ -95,8 +95,8 @@ void test_other_weights()
   weights.concave_share = -6;
   weights.relative_length = 6;
   weights.larger_widening = -2;
-  CHECK(expected_error(model, weights) > expected_error(model, Cut_weights()));
-  CHECK_CLOSE(Candidate_pool(model).rand_index_error(weights), expected_error(model, weights), 1e-12);
+  CGAL_CHECK(expected_error(model, weights) > expected_error(model, Cut_weights()));
+  CGAL_CHECK_CLOSE(Candidate_pool(model).rand_index_error(weights), expected_error(model, weights), 1e-12);
 }
 
 void test_components()
@@ -107,7 +107,7 @@ void test_components()
   model.mesh += other;
   for (Labels& human : model.humans)
     human.resize(model.mesh.number_of_faces(), 1);
-  CHECK_THROWS_WITH(Candidate_pool{model}, std::invalid_argument, "model 17 is not connected");
+  CGAL_CHECK_THROWS_WITH(Candidate_pool{model}, std::invalid_argument, "model 17 is not connected");
 }
 
 } // namespace

@@ -40,17 +40,17 @@ void threads_that_are_over_are_joined()
   std::vector<Test_thread> all(4);
   for (Test_thread& thread : all)
     threads.add(thread.start(), thread.is_over);
-  CHECK_EQUAL(threads.number(), 4);
+  CGAL_CHECK_EQUAL(threads.number(), 4);
   all[0].end();
   all[2].end();
   Test_thread fifth, sixth;
   threads.add(fifth.start(), fifth.is_over);
-  CHECK_EQUAL(threads.number(), 3);
+  CGAL_CHECK_EQUAL(threads.number(), 3);
   fifth.end();
   all[1].end();
   all[3].end();
   threads.add(sixth.start(), sixth.is_over);
-  CHECK_EQUAL(threads.number(), 1);
+  CGAL_CHECK_EQUAL(threads.number(), 1);
   sixth.end();
 }
 

@@ -42,12 +42,12 @@ bool has(const std::string& line, const std::string& text)
 int main()
 {
   const std::vector<std::string> lines = lines_of({0, 0.5, 0.2, 0.7, 1}, std::chrono::seconds(0));
-  CHECK(has(lines[0], "] 0 %") && has(lines[0], "stage") && !has(lines[0], "left"));
-  CHECK(has(lines[1], "] 50 %") && has(lines[1], "about 0 s left"));
-  CHECK(has(lines[2], "] 50 %")); // it does not go back
-  CHECK(has(lines[3], "] 70 %"));
-  CHECK(has(lines[4], "] 99 %") && !has(lines[4], "left")); // something is left to be done
+  CGAL_CHECK(has(lines[0], "] 0 %") && has(lines[0], "stage") && !has(lines[0], "left"));
+  CGAL_CHECK(has(lines[1], "] 50 %") && has(lines[1], "about 0 s left"));
+  CGAL_CHECK(has(lines[2], "] 50 %")); // it does not go back
+  CGAL_CHECK(has(lines[3], "] 70 %"));
+  CGAL_CHECK(has(lines[4], "] 99 %") && !has(lines[4], "left")); // something is left to be done
   for (const std::string& line : lines_of({0, 0.5}, std::chrono::seconds(60)))
-    CHECK(line.empty());
+    CGAL_CHECK(line.empty());
   return check::result();
 }

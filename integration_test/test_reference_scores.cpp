@@ -59,7 +59,7 @@ std::string without_carriage_return(const std::string& line)
 
 void check_header(const std::string& header)
 {
-  CHECK_EQUAL(header, std::string("model,segmentation,reference,GCE_faces,LCE_faces,GCE_area,"
+  CGAL_CHECK_EQUAL(header, std::string("model,segmentation,reference,GCE_faces,LCE_faces,GCE_area,"
                                   "LCE_area,Hamming,missing_rate,false_alarm_rate,"
                                   "cut_discrepancy,rand_index_error"));
 }
@@ -117,27 +117,27 @@ Segment_id_map segmentation(const std::string& folder,
 {
   const std::string name = folder + "/seg/" + model + "/" + model + "_" + human + ".seg";
   Segment_id_map segment_ids = mesh.add_property_map<Face, std::size_t>("f:" + human, 0).first;
-  CHECK(CGAL::IO::read_SEG(name, mesh, segment_ids));
+  CGAL_CHECK(CGAL::IO::read_SEG(name, mesh, segment_ids));
   return segment_ids;
 }
 
 void check_score(double computed, double expected)
 {
   if (std::isnan(expected))
-    CHECK(std::isnan(computed));
+    CGAL_CHECK(std::isnan(computed));
   else
-    CHECK_CLOSE(computed, expected, tolerance);
+    CGAL_CHECK_CLOSE(computed, expected, tolerance);
 }
 
 void check_model(const std::string& folder, const std::string& model, const std::vector<Row>& rows)
 {
   Mesh mesh;
-  CHECK(CGAL::IO::read_polygon_mesh(folder + "/off/" + model + ".off", mesh));
+  CGAL_CHECK(CGAL::IO::read_polygon_mesh(folder + "/off/" + model + ".off", mesh));
   for (const Row& row : rows)
   {
     const std::vector<double> computed = scores(mesh, segmentation(folder, model, row.segmentation, mesh),
                                                 segmentation(folder, model, row.reference, mesh));
-    CHECK_EQUAL(computed.size(), row.scores.size());
+    CGAL_CHECK_EQUAL(computed.size(), row.scores.size());
     for (std::size_t i = 0; i < (std::min)(computed.size(), row.scores.size()); ++i)
       check_score(computed[i], row.scores[i]);
   }
@@ -160,6 +160,6 @@ int main()
     number_of_rows += rows.size();
   }
   std::cout << number_of_rows << " pairs of segmentations\n";
-  CHECK(number_of_rows > 0);
+  CGAL_CHECK(number_of_rows > 0);
   return check::result();
 }

@@ -63,8 +63,8 @@ void check_accepted(const std::string& text, const std::vector<Id>& expected)
   Mesh mesh = tetrahedron();
   const Id_map<Id> ids = new_ids<Id>(mesh);
   std::istringstream in(text);
-  CHECK(CGAL::IO::read_SEG(in, mesh, ids));
-  CHECK(values(mesh, ids) == expected);
+  CGAL_CHECK(CGAL::IO::read_SEG(in, mesh, ids));
+  CGAL_CHECK(values(mesh, ids) == expected);
 }
 
 // `cause` is part of the text that tells it.
@@ -74,13 +74,13 @@ void check_rejected(const std::string& text, const std::string& cause)
   Mesh mesh = tetrahedron();
   const Id_map<Id> ids = new_ids<Id>(mesh);
   std::istringstream in(text);
-  CHECK(!CGAL::IO::read_SEG(in, mesh, ids));
-  CHECK(values(mesh, ids) == std::vector<Id>(4, Id(untouched)));
+  CGAL_CHECK(!CGAL::IO::read_SEG(in, mesh, ids));
+  CGAL_CHECK(values(mesh, ids) == std::vector<Id>(4, Id(untouched)));
 
   std::istringstream again(text);
   const std::string told = CGAL::Protrusion_segmentation::internal::read_segments(again, mesh, ids);
-  CHECK(told.find(cause) != std::string::npos);
-  CHECK_EQUAL(std::string(told.begin(), told.end()).find('\n'), std::string::npos);
+  CGAL_CHECK(told.find(cause) != std::string::npos);
+  CGAL_CHECK_EQUAL(std::string(told.begin(), told.end()).find('\n'), std::string::npos);
 }
 
 void test_accepted_texts()
@@ -125,10 +125,10 @@ void test_failed_stream()
   const auto ids = new_ids<std::size_t>(mesh);
   std::istringstream in("0\n1\n2\n3\n");
   in.setstate(std::ios::failbit);
-  CHECK(!CGAL::IO::read_SEG(in, mesh, ids));
+  CGAL_CHECK(!CGAL::IO::read_SEG(in, mesh, ids));
   std::ostringstream out;
   out.setstate(std::ios::failbit);
-  CHECK(!CGAL::IO::write_SEG(out, mesh, ids));
+  CGAL_CHECK(!CGAL::IO::write_SEG(out, mesh, ids));
 }
 
 void test_verbose_tells_the_cause()
@@ -144,9 +144,9 @@ void test_verbose_tells_the_cause()
   CGAL::IO::read_SEG(verbose, mesh, ids, CGAL::parameters::verbose(true));
   CGAL::IO::read_SEG("no such file.seg", mesh, ids, CGAL::parameters::verbose(true));
   std::cerr.rdbuf(original);
-  CHECK(was_silent);
-  CHECK(caught.str().find("only 1 segment ids for 4 faces") != std::string::npos);
-  CHECK(caught.str().find("no such file.seg: it cannot be opened") != std::string::npos);
+  CGAL_CHECK(was_silent);
+  CGAL_CHECK(caught.str().find("only 1 segment ids for 4 faces") != std::string::npos);
+  CGAL_CHECK(caught.str().find("no such file.seg: it cannot be opened") != std::string::npos);
 }
 
 // A folder of its own that disappears with the test.
@@ -184,14 +184,14 @@ void test_files()
   for (const Face f : faces(mesh))
     put(ids, f, next *= 10);
 
-  CHECK(CGAL::IO::write_SEG(name, mesh, ids));
-  CHECK_EQUAL(content(name), std::string("30\n300\n3000\n30000\n"));
-  CHECK_EQUAL(folder.number_of_files(), 1);
+  CGAL_CHECK(CGAL::IO::write_SEG(name, mesh, ids));
+  CGAL_CHECK_EQUAL(content(name), std::string("30\n300\n3000\n30000\n"));
+  CGAL_CHECK_EQUAL(folder.number_of_files(), 1);
 
   const auto read = mesh.add_property_map<Face, long>("f:read", -1).first;
-  CHECK(CGAL::IO::read_SEG(name, mesh, read));
-  CHECK((values<long>(mesh, read) == std::vector<long>{30, 300, 3000, 30000}));
-  CHECK(!CGAL::IO::read_SEG(folder.path.string(), mesh, read));
+  CGAL_CHECK(CGAL::IO::read_SEG(name, mesh, read));
+  CGAL_CHECK((values<long>(mesh, read) == std::vector<long>{30, 300, 3000, 30000}));
+  CGAL_CHECK(!CGAL::IO::read_SEG(folder.path.string(), mesh, read));
 }
 
 void test_failed_writing()
@@ -199,16 +199,16 @@ void test_failed_writing()
   const Scratch_folder folder;
   Mesh mesh = tetrahedron();
   const auto ids = new_ids<int>(mesh);
-  CHECK(!CGAL::IO::write_SEG((folder.path / "none" / "a.seg").string(), mesh, ids));
-  CHECK(!CGAL::IO::write_SEG(folder.path.string(), mesh, ids));
-  CHECK(!CGAL::IO::write_SEG("", mesh, ids));
-  CHECK_EQUAL(folder.number_of_files(), 0);
+  CGAL_CHECK(!CGAL::IO::write_SEG((folder.path / "none" / "a.seg").string(), mesh, ids));
+  CGAL_CHECK(!CGAL::IO::write_SEG(folder.path.string(), mesh, ids));
+  CGAL_CHECK(!CGAL::IO::write_SEG("", mesh, ids));
+  CGAL_CHECK_EQUAL(folder.number_of_files(), 0);
 
   put(ids, *std::prev(faces(mesh).end()), -1);
-  CHECK(!CGAL::IO::write_SEG((folder.path / "a.seg").string(), mesh, ids));
+  CGAL_CHECK(!CGAL::IO::write_SEG((folder.path / "a.seg").string(), mesh, ids));
   std::ostringstream out;
-  CHECK(!CGAL::IO::write_SEG(out, mesh, ids));
-  CHECK(out.str().empty());
+  CGAL_CHECK(!CGAL::IO::write_SEG(out, mesh, ids));
+  CGAL_CHECK(out.str().empty());
 }
 
 // As by all functions of CGAL that write files: the file itself is written, whatever may be made or replaced beside it.
@@ -220,9 +220,9 @@ void test_a_file_is_written_in_place()
   fs::create_hard_link(name, other_name);
   fs::permissions(folder.path, fs::perms::owner_read | fs::perms::owner_exec);
   Mesh mesh = tetrahedron();
-  CHECK(CGAL::IO::write_SEG(name.string(), mesh, new_ids<int>(mesh)));
-  CHECK_EQUAL(content(name), std::string("77\n77\n77\n77\n"));
-  CHECK_EQUAL(content(other_name), content(name));
+  CGAL_CHECK(CGAL::IO::write_SEG(name.string(), mesh, new_ids<int>(mesh)));
+  CGAL_CHECK_EQUAL(content(name), std::string("77\n77\n77\n77\n"));
+  CGAL_CHECK_EQUAL(content(other_name), content(name));
   fs::permissions(folder.path, fs::perms::owner_all);
 }
 
@@ -233,9 +233,9 @@ void test_links_are_followed()
   std::ofstream(target) << "before";
   fs::create_symlink(target, link);
   Mesh mesh = tetrahedron();
-  CHECK(CGAL::IO::write_SEG(link.string(), mesh, new_ids<int>(mesh)));
-  CHECK(fs::is_symlink(link));
-  CHECK_EQUAL(content(target), std::string("77\n77\n77\n77\n"));
+  CGAL_CHECK(CGAL::IO::write_SEG(link.string(), mesh, new_ids<int>(mesh)));
+  CGAL_CHECK(fs::is_symlink(link));
+  CGAL_CHECK_EQUAL(content(target), std::string("77\n77\n77\n77\n"));
 }
 
 void test_removed_faces_have_no_line()
@@ -244,10 +244,10 @@ void test_removed_faces_have_no_line()
   CGAL::Euler::remove_face(halfedge(*faces(mesh).begin(), mesh), mesh);
   const auto ids = new_ids<std::size_t>(mesh);
   std::istringstream in("4\n5\n6\n");
-  CHECK(CGAL::IO::read_SEG(in, mesh, ids));
+  CGAL_CHECK(CGAL::IO::read_SEG(in, mesh, ids));
   std::ostringstream out;
-  CHECK(CGAL::IO::write_SEG(out, mesh, ids));
-  CHECK_EQUAL(out.str(), std::string("4\n5\n6\n"));
+  CGAL_CHECK(CGAL::IO::write_SEG(out, mesh, ids));
+  CGAL_CHECK_EQUAL(out.str(), std::string("4\n5\n6\n"));
 }
 
 void test_mesh_without_faces()
@@ -255,8 +255,8 @@ void test_mesh_without_faces()
   Mesh mesh;
   const auto ids = new_ids<std::size_t>(mesh);
   std::istringstream empty(""), one_id("0\n");
-  CHECK(CGAL::IO::read_SEG(empty, mesh, ids));
-  CHECK(!CGAL::IO::read_SEG(one_id, mesh, ids));
+  CGAL_CHECK(CGAL::IO::read_SEG(empty, mesh, ids));
+  CGAL_CHECK(!CGAL::IO::read_SEG(one_id, mesh, ids));
 }
 
 void test_polyhedron_with_associative_map()
@@ -267,10 +267,10 @@ void test_polyhedron_with_associative_map()
                          Kernel::Point_3(0, 0, 1), mesh);
   std::map<boost::graph_traits<Polyhedron>::face_descriptor, std::size_t> ids;
   std::istringstream in("1\n2\n3\n4\n");
-  CHECK(CGAL::IO::read_SEG(in, mesh, boost::make_assoc_property_map(ids)));
+  CGAL_CHECK(CGAL::IO::read_SEG(in, mesh, boost::make_assoc_property_map(ids)));
   std::ostringstream out;
-  CHECK(CGAL::IO::write_SEG(out, mesh, boost::make_assoc_property_map(ids)));
-  CHECK_EQUAL(out.str(), std::string("1\n2\n3\n4\n"));
+  CGAL_CHECK(CGAL::IO::write_SEG(out, mesh, boost::make_assoc_property_map(ids)));
+  CGAL_CHECK_EQUAL(out.str(), std::string("1\n2\n3\n4\n"));
 }
 
 int main()

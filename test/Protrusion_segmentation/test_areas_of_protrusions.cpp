@@ -38,7 +38,7 @@ std::vector<std::size_t> ancestors(const Segment_hierarchy& hierarchy, std::size
   while (hierarchy.parent(result.back()) != result.back() &&
          result.size() <= hierarchy.maximum_number_of_segments())
     result.push_back(hierarchy.parent(result.back()));
-  CHECK(result.back() < hierarchy.minimum_number_of_segments());
+  CGAL_CHECK(result.back() < hierarchy.minimum_number_of_segments());
   return result;
 }
 
@@ -63,19 +63,19 @@ std::size_t check_areas(const Test_mesh& soup, const Method& method, bool is_sma
   const Segment_hierarchy hierarchy = CGAL::protrusion_hierarchy(
     mesh, (std::min)(largest_number, soup.faces.size()), method,
     CGAL::parameters::visitor(std::ref(recorder)));
-  CHECK_EQUAL(recorder.protrusions().size(),
+  CGAL_CHECK_EQUAL(recorder.protrusions().size(),
               hierarchy.maximum_number_of_segments() - hierarchy.minimum_number_of_segments());
   const std::vector<double> beyond = areas_beyond_borders(hierarchy,
                                                           areas_of_segments(soup, mesh, hierarchy));
   for (std::size_t i = 0; i < recorder.protrusions().size(); ++i)
   {
     const auto& protrusion = recorder.protrusions()[i];
-    CHECK_EQUAL(protrusion.segment, hierarchy.minimum_number_of_segments() + i);
-    CHECK_EQUAL(protrusion.parent, hierarchy.parent(protrusion.segment));
-    CHECK_CLOSE(beyond[protrusion.segment], protrusion.area, tolerance);
+    CGAL_CHECK_EQUAL(protrusion.segment, hierarchy.minimum_number_of_segments() + i);
+    CGAL_CHECK_EQUAL(protrusion.parent, hierarchy.parent(protrusion.segment));
+    CGAL_CHECK_CLOSE(beyond[protrusion.segment], protrusion.area, tolerance);
     const std::size_t body = ancestors(hierarchy, protrusion.segment).back();
     if (is_smaller_side)
-      CHECK(2 * beyond[protrusion.segment] <= beyond[body] + tolerance);
+      CGAL_CHECK(2 * beyond[protrusion.segment] <= beyond[body] + tolerance);
   }
   return recorder.protrusions().size();
 }
@@ -90,7 +90,7 @@ void check_hierarchy(const Test_mesh& soup, const Method& method)
   const Segment_hierarchy hierarchy = CGAL::protrusion_hierarchy(mesh, number, method);
   const Segmentation direct = checked(
     mesh, [&](auto map) { return CGAL::segmentation_via_protrusion_tips(mesh, map, number, method); });
-  CHECK_EQUAL(hierarchy.maximum_number_of_segments(), direct.number);
+  CGAL_CHECK_EQUAL(hierarchy.maximum_number_of_segments(), direct.number);
   for (std::size_t k = hierarchy.minimum_number_of_segments(); k <= direct.number; ++k)
   {
     const Segmentation found = checked(mesh,
@@ -106,7 +106,7 @@ void check_hierarchy(const Test_mesh& soup, const Method& method)
       expected.push_back(*std::find_if(line.begin(), line.end(), [k](std::size_t a) { return a < k; }));
     }
     for (std::size_t f = 0; f < direct.labels.size(); ++f)
-      CHECK_EQUAL(found.labels[f], expected[direct.labels[f]]);
+      CGAL_CHECK_EQUAL(found.labels[f], expected[direct.labels[f]]);
   }
 }
 
@@ -137,6 +137,6 @@ int main()
   for (const Test_mesh& mesh : {star(5), creature(), dumbbell(), bumpy_sphere(3, 1)})
     number += check_areas(mesh, Minimum_cut_method(Geodesic_distance()), true);
   std::cout << number << " protrusions of the minimum cut method\n";
-  CHECK(number > 300);
+  CGAL_CHECK(number > 300);
   return check::result();
 }

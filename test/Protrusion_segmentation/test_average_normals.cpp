@@ -103,16 +103,16 @@ void normals_of_a_sphere_point_outward()
   {
     const Indexed_surface::Vector_3 radius = surface.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
     const Indexed_surface::Vector_3 normal(normals[f][0], normals[f][1], normals[f][2]);
-    CHECK_CLOSE(normal.squared_length(), 1, 1e-6);
-    CHECK(normal * radius > 0.98 * std::sqrt(radius.squared_length()));
+    CGAL_CHECK_CLOSE(normal.squared_length(), 1, 1e-6);
+    CGAL_CHECK(normal * radius > 0.98 * std::sqrt(radius.squared_length()));
   }
 }
 
 void what_is_open()
 {
   using CGAL::Protrusion_segmentation::internal::is_open;
-  CHECK(is_open(to_surface(star(5, 30))));
-  CHECK(!is_open(to_surface(icosphere(2))));
+  CGAL_CHECK(is_open(to_surface(star(5, 30))));
+  CGAL_CHECK(!is_open(to_surface(icosphere(2))));
 }
 
 // Near the border of a half sphere normals lean outwards along the surface, whichever side they point to; far away they do not.
@@ -135,9 +135,9 @@ void normals_lean_at_the_border()
     {
       const double height = surface.centroid(f).z();
       if (height < 0.1)
-        CHECK(outward * normals[f][2] < height - 0.3);
+        CGAL_CHECK(outward * normals[f][2] < height - 0.3);
       if (height > 0.9)
-        CHECK_CLOSE(outward * normals[f][2], height, 0.02);
+        CGAL_CHECK_CLOSE(outward * normals[f][2], height, 0.02);
     }
   }
 }
@@ -146,17 +146,17 @@ void normals_lean_at_the_border()
 void no_parts_without_concave_corners()
 {
   const auto inside = [](bool is_inside) { return is_inside ? 0 : outside; };
-  CHECK_EQUAL(
+  CGAL_CHECK_EQUAL(
     segmentation(sheet([&](double x, double y) { return inside(std::hypot(x, y) < 0.95); })).number, 1u);
-  CHECK_EQUAL(segmentation(
+  CGAL_CHECK_EQUAL(segmentation(
                 sheet([&](double x, double y) { return inside(std::abs(x) < 0.8 && std::abs(y) < 0.8); }))
                 .number,
               1u);
-  CHECK_EQUAL(segmentation(sheet([&](double, double y) { return inside(std::abs(y) < 0.2); })).number,
+  CGAL_CHECK_EQUAL(segmentation(sheet([&](double, double y) { return inside(std::abs(y) < 0.2); })).number,
               1u);
-  CHECK_EQUAL(
+  CGAL_CHECK_EQUAL(
     segmentation(sheet([&](double x, double y) { return inside(x * x + 4 * y * y < 0.9); })).number, 1u);
-  CHECK_EQUAL(segmentation(
+  CGAL_CHECK_EQUAL(segmentation(
                 sheet([&](double x, double y) { return inside(std::abs(std::hypot(x, y) - 0.7) < 0.2); }))
                 .number,
               1u);
@@ -195,8 +195,8 @@ void place_and_size_do_not_count()
   for (const Test_mesh& moved :
        {translated(plane, {5, -3, 2}), scaled(plane, 1000),
         translated(rotated(plane, {1, 1, 0}, 2), {0, 100, 0}), with_reversed_orientation(plane)})
-    CHECK(share_in_true_parts(plane, segmentation(moved).labels) >= 0.97);
-  CHECK_EQUAL(as_partition(segmentation(translated(plane, {0, 0, 4})).labels) == labels, true);
+    CGAL_CHECK(share_in_true_parts(plane, segmentation(moved).labels) >= 0.97);
+  CGAL_CHECK_EQUAL(as_partition(segmentation(translated(plane, {0, 0, 4})).labels) == labels, true);
 }
 
 // A polygon of many edges with a triangle on each: faces that have no neighbour but one do not come together to groups.
@@ -215,7 +215,7 @@ void a_face_may_have_all_others_around_it()
   mesh.add_face(hub);
   for (std::size_t i = 0; i < 2 * teeth; i += 2)
     mesh.add_face({i, i + 1, (i + 2) % (2 * teeth)});
-  CHECK_EQUAL(segmentation(mesh).number, 1u);
+  CGAL_CHECK_EQUAL(segmentation(mesh).number, 1u);
 }
 
 int main()

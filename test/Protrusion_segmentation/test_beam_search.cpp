@@ -40,16 +40,16 @@ void check_history(const internal::Component& component, const Cut_set& set)
   double value = 0;
   for (const Cut_set::Made_cut& cut : set.cuts)
   {
-    CHECK_EQUAL(segments.erase(cut.segment), 1);
+    CGAL_CHECK_EQUAL(segments.erase(cut.segment), 1);
     segments.insert(cut.inner);
     segments.insert(cut.outer);
     value += cut.value;
-    CHECK_EQUAL(component.memo()[cut.inner].segment.nodes.size() +
+    CGAL_CHECK_EQUAL(component.memo()[cut.inner].segment.nodes.size() +
                   component.memo()[cut.outer].segment.nodes.size(),
                 component.memo()[cut.segment].segment.nodes.size());
   }
-  CHECK_CLOSE(set.value, value, rounding);
-  CHECK(std::vector<Index>(segments.begin(), segments.end()) == set.segments);
+  CGAL_CHECK_CLOSE(set.value, value, rounding);
+  CGAL_CHECK(std::vector<Index>(segments.begin(), segments.end()) == set.segments);
 }
 
 // Whatever numbers the segments have: those that are left, in the order in which cuts have made them.
@@ -62,7 +62,7 @@ void check_order(const Cut_set& set)
     made.push_back(cut.inner);
     made.push_back(cut.outer);
   }
-  CHECK(set.in_order_of_cuts() == made);
+  CGAL_CHECK(set.in_order_of_cuts() == made);
 }
 
 void check_sets(const Test_mesh& mesh, std::size_t largest_number)
@@ -73,14 +73,14 @@ void check_sets(const Test_mesh& mesh, std::size_t largest_number)
   for (; number <= largest_number && component.best(number); ++number)
   {
     const Cut_set set = *component.best(number);
-    CHECK_EQUAL(set.segments.size(), number);
-    CHECK_EQUAL(set.cuts.size(), number - 1);
+    CGAL_CHECK_EQUAL(set.segments.size(), number);
+    CGAL_CHECK_EQUAL(set.cuts.size(), number - 1);
     check_history(component, set);
     check_order(set);
     check_segments(component.graphs().coarse, labels_of_nodes(component, set), number);
   }
   for (std::size_t k = number; k-- > 1;) // asked for again, in another order
-    CHECK_EQUAL(component.best(k)->segments.size(), k);
+    CGAL_CHECK_EQUAL(component.best(k)->segments.size(), k);
 }
 
 // As no segment has less than a four hundredth of the area, there is a largest number.
@@ -89,10 +89,10 @@ void there_are_no_more_sets_than_there_are_cuts()
   for (const Test_mesh& mesh : {tetrahedron(), box(2, 2, 2), icosphere(1)})
   {
     Component_of_mesh of_mesh(mesh);
-    CHECK(of_mesh.component.best(1) != nullptr);
-    CHECK(of_mesh.component.best(mesh.faces.size() + 1) == nullptr);
-    CHECK(of_mesh.component.best(401) == nullptr);
-    CHECK(of_mesh.component.best(1) != nullptr);
+    CGAL_CHECK(of_mesh.component.best(1) != nullptr);
+    CGAL_CHECK(of_mesh.component.best(mesh.faces.size() + 1) == nullptr);
+    CGAL_CHECK(of_mesh.component.best(401) == nullptr);
+    CGAL_CHECK(of_mesh.component.best(1) != nullptr);
   }
 }
 
@@ -110,13 +110,13 @@ void the_cuts_of_a_star_are_its_arms(std::size_t arms)
     for (std::size_t f = 0; f < labels.size(); ++f)
       areas[labels[f]] += mesh.parts[f] == part ? of_mesh.surface.area(Index(f)) : 0;
     const auto largest = std::max_element(areas.begin(), areas.end());
-    CHECK(*largest > 0.9 * area_of_part(mesh, part));
+    CGAL_CHECK(*largest > 0.9 * area_of_part(mesh, part));
     with_arm.insert(Index(largest - areas.begin()));
   }
-  CHECK_EQUAL(with_arm.size(), arms + 1);
+  CGAL_CHECK_EQUAL(with_arm.size(), arms + 1);
   for (const Cut_set::Made_cut& cut : set.cuts)
-    CHECK(cut.value > 0);
-  CHECK(of_mesh.component.best(arms + 2) == nullptr ||
+    CGAL_CHECK(cut.value > 0);
+  CGAL_CHECK(of_mesh.component.best(arms + 2) == nullptr ||
         of_mesh.component.best(arms + 2)->value - set.value < set.cuts.back().value);
 }
 
@@ -131,11 +131,11 @@ void check_values(const Test_mesh& mesh, std::size_t largest_number, bool has_pa
   {
     const double found = of_mesh.component.best(cuts + 1)->value;
     if (has_parts)
-      CHECK(found >= all.greedy_value(cuts) - rounding);
+      CGAL_CHECK(found >= all.greedy_value(cuts) - rounding);
     if (cuts <= most_cuts_of_all)
-      CHECK(found <= all.largest_value(cuts) + rounding);
+      CGAL_CHECK(found <= all.largest_value(cuts) + rounding);
     if (cuts <= 2)
-      CHECK_CLOSE(found, all.largest_value(cuts), rounding);
+      CGAL_CHECK_CLOSE(found, all.largest_value(cuts), rounding);
   }
 }
 
@@ -164,18 +164,18 @@ void few_segments_are_searched(const Test_mesh& mesh, std::size_t number_of_cuts
   for (std::size_t i = 0; i < expected.size(); ++i)
   {
     const Cut_set* found = of_mesh.component.best(i + 1);
-    CHECK(found != nullptr);
+    CGAL_CHECK(found != nullptr);
     if (!found)
       return;
-    CHECK_CLOSE(found->value, expected[i].value, rounding);
-    CHECK(nodes_of_segments(of_mesh.component.memo(), *found) ==
+    CGAL_CHECK_CLOSE(found->value, expected[i].value, rounding);
+    CGAL_CHECK(nodes_of_segments(of_mesh.component.memo(), *found) ==
           nodes_of_segments(all.memo(), expected[i]));
   }
   const std::size_t searched = number_of_searched_segments(of_mesh.component.memo());
-  CHECK(searched <= number_of_searched_segments(all.memo()));
+  CGAL_CHECK(searched <= number_of_searched_segments(all.memo()));
   Component_of_mesh usual(mesh);
   usual.component.automatic_number();
-  CHECK(number_of_searched_segments(usual.component.memo()) < searched); // small ones are no protrusions
+  CGAL_CHECK(number_of_searched_segments(usual.component.memo()) < searched); // small ones are no protrusions
 }
 
 // The same sets come up until a cut gains too little, with less work; cuts that gain less may still be asked for.
@@ -192,16 +192,16 @@ void sets_end_where_cuts_gain_little(const Test_mesh& mesh, double least_gain)
     unlimited(graphs.coarse, search, options);
   std::size_t number = 1;
   for (; limited.best_protrusions(number + 1); ++number)
-    CHECK(limited.gain(number + 1) > least_gain);
-  CHECK(number > 1);
+    CGAL_CHECK(limited.gain(number + 1) > least_gain);
+  CGAL_CHECK(number > 1);
   for (std::size_t k = 1; k <= number; ++k)
-    CHECK_EQUAL(limited.best(k)->value, unlimited.best(k)->value);
+    CGAL_CHECK_EQUAL(limited.best(k)->value, unlimited.best(k)->value);
   const std::size_t searched = number_of_searched_segments(limited.memo());
   const Cut_set* next = unlimited.best(number + 1);
-  CHECK(!next || next->value - unlimited.best(number)->value <= least_gain);
-  CHECK(searched <= number_of_searched_segments(unlimited.memo()));
+  CGAL_CHECK(!next || next->value - unlimited.best(number)->value <= least_gain);
+  CGAL_CHECK(searched <= number_of_searched_segments(unlimited.memo()));
   if (next)
-    CHECK_EQUAL(limited.best(number + 1)->value, next->value);
+    CGAL_CHECK_EQUAL(limited.best(number + 1)->value, next->value);
 }
 
 // Asked for at once or one after the other, with the automatic number in between or not.
@@ -215,11 +215,11 @@ void sets_do_not_depend_on_what_was_asked_before(const Test_mesh& mesh)
     for (internal::Component* other : {&at_once.component, &automatic.component})
     {
       const Cut_set* found = other->best(k);
-      CHECK(found != nullptr);
+      CGAL_CHECK(found != nullptr);
       if (!found)
         continue;
-      CHECK_EQUAL(found->value, one_by_one.component.best(k)->value);
-      CHECK(nodes_of_segments(other->memo(), *found) ==
+      CGAL_CHECK_EQUAL(found->value, one_by_one.component.best(k)->value);
+      CGAL_CHECK(nodes_of_segments(other->memo(), *found) ==
             nodes_of_segments(one_by_one.component.memo(), *one_by_one.component.best(k)));
     }
 }

@@ -55,11 +55,11 @@ void axes_are_eigenvectors()
         for (int b = 0; b < 3; ++b)
           image[a] += m[a][b] * axis[b];
       const Point direction = {axis[0], axis[1], axis[2]};
-      CHECK_CLOSE(length(direction), 1, 1e-12);
+      CGAL_CHECK_CLOSE(length(direction), 1, 1e-12);
       eigenvalues.push_back(dot(image, direction));
-      CHECK_CLOSE(length(image - eigenvalues.back() * direction), 0, 1e-12);
+      CGAL_CHECK_CLOSE(length(image - eigenvalues.back() * direction), 0, 1e-12);
     }
-    CHECK(eigenvalues[0] >= eigenvalues[1] - 1e-12 && eigenvalues[1] >= eigenvalues[2] - 1e-12);
+    CGAL_CHECK(eigenvalues[0] >= eigenvalues[1] - 1e-12 && eigenvalues[1] >= eigenvalues[2] - 1e-12);
   }
 }
 
@@ -87,7 +87,7 @@ void sums_do_not_depend_on_the_order()
   for (std::size_t i = 1; i < 30; ++i)
   {
     std::shuffle(terms.begin(), terms.end(), random);
-    CHECK_EQUAL(sum(i), expected);
+    CGAL_CHECK_EQUAL(sum(i), expected);
   }
 }
 
@@ -102,18 +102,18 @@ void a_box_lies_along_its_axes()
   for (Index v = 0; v < found.surface().number_of_vertices(); ++v)
     for (int a = 0; a < 3; ++a)
       largest[a] = (std::max)(largest[a], std::abs(found.surface().point(v)[a]));
-  CHECK_CLOSE(largest[0], 1, rounding);
-  CHECK_CLOSE(largest[1], 0.5, rounding);
-  CHECK_CLOSE(largest[2], 0.25, rounding);
-  CHECK_CLOSE(found.unit(), 2, 1e-12);
+  CGAL_CHECK_CLOSE(largest[0], 1, rounding);
+  CGAL_CHECK_CLOSE(largest[1], 0.5, rounding);
+  CGAL_CHECK_CLOSE(largest[2], 0.25, rounding);
+  CGAL_CHECK_CLOSE(found.unit(), 2, 1e-12);
 }
 
 void check_same_surface(const Canonical_surface& found, const Canonical_surface& expected)
 {
   const Indexed_surface &a = found.surface(), &b = expected.surface();
-  CHECK(found.positions() == expected.positions());
-  CHECK_EQUAL(a.number_of_vertices(), b.number_of_vertices());
-  CHECK_EQUAL(a.number_of_corners(), b.number_of_corners());
+  CGAL_CHECK(found.positions() == expected.positions());
+  CGAL_CHECK_EQUAL(a.number_of_vertices(), b.number_of_vertices());
+  CGAL_CHECK_EQUAL(a.number_of_corners(), b.number_of_corners());
   bool are_same = true;
   for (Index v = 0; v < a.number_of_vertices(); ++v)
     are_same = are_same && a.point(v) == b.point(v);
@@ -121,7 +121,7 @@ void check_same_surface(const Canonical_surface& found, const Canonical_surface&
     are_same = are_same && a.first_corner(f) == b.first_corner(f);
   for (Index c = 0; c < a.number_of_corners(); ++c)
     are_same = are_same && a.vertex(c) == b.vertex(c) && a.neighbor(c) == b.neighbor(c);
-  CHECK(are_same);
+  CGAL_CHECK(are_same);
 }
 
 // To the last bit, with lengths that are those of the mesh.
@@ -138,10 +138,10 @@ void moved_turned_mirrored_and_scaled_surfaces_are_the_same()
           with_reversed_orientation(scaled(turned, -1, 1, 1)), scaled(mesh, -1, -1, 1)})
     {
       check_same_surface(canonical(same), expected);
-      CHECK_CLOSE(canonical(same).unit() / expected.unit(), 1, 1e-12);
+      CGAL_CHECK_CLOSE(canonical(same).unit() / expected.unit(), 1, 1e-12);
     }
     check_same_surface(canonical(scaled(turned, 1000)), expected);
-    CHECK_CLOSE(canonical(scaled(turned, 1000)).unit() / expected.unit(), 1000, 1e-9);
+    CGAL_CHECK_CLOSE(canonical(scaled(turned, 1000)).unit() / expected.unit(), 1000, 1e-9);
   }
 }
 
@@ -163,11 +163,11 @@ void the_surface_stays_what_it_is()
     const Canonical_surface found = canonical(mesh);
     const Indexed_surface& after = found.surface();
     const double scale = found.unit();
-    CHECK_CLOSE(volume(after) * scale * scale * scale, volume(before), 1e-7);
+    CGAL_CHECK_CLOSE(volume(after) * scale * scale * scale, volume(before), 1e-7);
     for (Index f = 0; f < after.number_of_faces(); ++f)
     {
       const Index origin = found.positions()[f];
-      CHECK_CLOSE(after.area(f) * scale * scale, before.area(origin), 1e-7);
+      CGAL_CHECK_CLOSE(after.area(f) * scale * scale, before.area(origin), 1e-7);
       std::vector<std::pair<Index, double>> expected, edges; // beyond each edge, and how long it is
       for (Index c = before.first_corner(origin); c < before.first_corner(origin + 1); ++c)
         expected.emplace_back(before.neighbor(c), before.edge_length(origin, c));
@@ -177,8 +177,8 @@ void the_surface_stays_what_it_is()
       std::sort(edges.begin(), edges.end());
       for (std::size_t i = 0; i < edges.size(); ++i)
       {
-        CHECK_EQUAL(edges[i].first, expected[i].first);
-        CHECK_CLOSE(edges[i].second, expected[i].second, 1e-7);
+        CGAL_CHECK_EQUAL(edges[i].first, expected[i].first);
+        CGAL_CHECK_CLOSE(edges[i].second, expected[i].second, 1e-7);
       }
     }
   }
@@ -213,7 +213,7 @@ void the_frame_does_not_depend_on_the_triangles()
     };
     const auto few = places(mesh), many = places(finer);
     for (const auto& p : few)
-      CHECK(std::any_of(many.begin(), many.end(),
+      CGAL_CHECK(std::any_of(many.begin(), many.end(),
                         [&p](const auto& q) { return CGAL::squared_distance(p, q) < rounding * rounding * 4; }));
   }
 }
@@ -226,7 +226,7 @@ void nothing_and_next_to_nothing()
     const Canonical_surface found = canonical(mesh);
     for (Index v = 0; v < found.surface().number_of_vertices(); ++v)
       for (int a = 0; a < 3; ++a)
-        CHECK(std::abs(found.surface().point(v)[a]) <= 1);
+        CGAL_CHECK(std::abs(found.surface().point(v)[a]) <= 1);
   }
 }
 

@@ -34,8 +34,8 @@ Labels segment(const Test_mesh& soup, const Method& method, Number... k)
   Labels labels(mesh.number_of_faces());
   const auto ids = boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh));
   const std::size_t number = CGAL::segmentation_via_protrusion_tips(mesh, ids, k..., method);
-  CHECK_EQUAL(std::set<std::size_t>(labels.begin(), labels.end()).size(), number);
-  CHECK_EQUAL(*std::max_element(labels.begin(), labels.end()) + 1, number);
+  CGAL_CHECK_EQUAL(std::set<std::size_t>(labels.begin(), labels.end()).size(), number);
+  CGAL_CHECK_EQUAL(*std::max_element(labels.begin(), labels.end()) + 1, number);
   return labels;
 }
 
@@ -94,7 +94,7 @@ void check_hollow_figure(const Method& method, Number... k)
 {
   const std::size_t n = figure().faces.size();
   const Labels outer = segment(figure(), method, k...), all = segment(hollow_figure(), method, k...);
-  CHECK(Labels(all.begin(), all.begin() + std::ptrdiff_t(n)) == outer);
+  CGAL_CHECK(Labels(all.begin(), all.begin() + std::ptrdiff_t(n)) == outer);
   // Each face of the inner wall has the label of a face that is about as near as any.
   const Test_mesh mesh = hollow_figure();
   for (std::size_t f = n; f < all.size(); f += 37)
@@ -107,7 +107,7 @@ void check_hollow_figure(const Method& method, Number... k)
       if (all[g] == all[f])
         least_of_label = (std::min)(least_of_label, distance);
     }
-    CHECK(least_of_label < least + .05);
+    CGAL_CHECK(least_of_label < least + .05);
   }
 }
 
@@ -122,15 +122,15 @@ void inner_walls_have_the_labels_of_the_outer_ones()
 
 void cavities_are_not_counted()
 {
-  CHECK_EQUAL(number_of_segments(merged({ball(2), cavity(1)})), 1);
-  CHECK_EQUAL(
+  CGAL_CHECK_EQUAL(number_of_segments(merged({ball(2), cavity(1)})), 1);
+  CGAL_CHECK_EQUAL(
     number_of_segments(merged({ball(4), cavity(1), cavity(.5, {2, 0, 0}), cavity(.3, {0, 2, 1})})), 1);
   const Labels labels = segment(merged({ball(2), cavity(1), ball(2, {5, 0, 0}), cavity(1, {5, 0, 0})}),
                                 Minimum_cut_method(), 2);
   const std::size_t n = icosphere(3).faces.size();
   for (std::size_t f = 0; f < labels.size(); ++f)
-    CHECK_EQUAL(labels[f], labels[f / (2 * n) * (2 * n)]);
-  CHECK(labels.front() != labels.back());
+    CGAL_CHECK_EQUAL(labels[f], labels[f / (2 * n) * (2 * n)]);
+  CGAL_CHECK(labels.front() != labels.back());
 }
 
 // Solids in cavities, which may be hollow again.
@@ -139,9 +139,9 @@ void solids_in_cavities_are_segments()
   const Labels labels = segment(merged({cavity(1), ball(2), cavity(3), ball(4)}));
   const std::size_t n = icosphere(3).faces.size();
   for (std::size_t f = 0; f < labels.size(); ++f)
-    CHECK_EQUAL(labels[f], labels[f / (2 * n) * (2 * n)]);
-  CHECK(labels.front() != labels.back());
-  CHECK_EQUAL(number_of_segments(merged({ball(4), cavity(3), ball(1, {1, 0, 0}), ball(.5, {-1, 0, 0})})),
+    CGAL_CHECK_EQUAL(labels[f], labels[f / (2 * n) * (2 * n)]);
+  CGAL_CHECK(labels.front() != labels.back());
+  CGAL_CHECK_EQUAL(number_of_segments(merged({ball(4), cavity(3), ball(1, {1, 0, 0}), ball(.5, {-1, 0, 0})})),
               3);
 }
 
@@ -150,20 +150,20 @@ void hollow_bodies_may_be_turned_inside_out()
 {
   const Test_mesh mesh = merged(
     {cavity(1), ball(2), cavity(3), ball(4), ball(2, {9, 0, 0}), cavity(1, {9, 0, 0})});
-  CHECK(segment(with_reversed_orientation(mesh)) == segment(mesh));
-  CHECK_EQUAL(number_of_segments(mesh), 3);
+  CGAL_CHECK(segment(with_reversed_orientation(mesh)) == segment(mesh));
+  CGAL_CHECK_EQUAL(number_of_segments(mesh), 3);
 }
 
 // Turned against each other, but not inside; inside, but not turned against each other; inside, but open.
 void other_components_are_no_cavities()
 {
-  CHECK_EQUAL(number_of_segments(merged({ball(2), cavity(1, {4, 0, 0})})), 2);
-  CHECK_EQUAL(number_of_segments(merged({ball(2), cavity(1, {2, 0, 0})})), 2);
-  CHECK_EQUAL(number_of_segments(merged({ball(2), ball(1)})), 2);
-  CHECK_EQUAL(number_of_segments(merged({ball(4), cavity(3), cavity(2)})), 2);
+  CGAL_CHECK_EQUAL(number_of_segments(merged({ball(2), cavity(1, {4, 0, 0})})), 2);
+  CGAL_CHECK_EQUAL(number_of_segments(merged({ball(2), cavity(1, {2, 0, 0})})), 2);
+  CGAL_CHECK_EQUAL(number_of_segments(merged({ball(2), ball(1)})), 2);
+  CGAL_CHECK_EQUAL(number_of_segments(merged({ball(4), cavity(3), cavity(2)})), 2);
   Test_mesh open = cavity(1);
   open.faces.pop_back();
-  CHECK_EQUAL(number_of_segments(merged({ball(2), open})), 2);
+  CGAL_CHECK_EQUAL(number_of_segments(merged({ball(2), open})), 2);
 }
 
 void the_order_of_the_faces_does_not_matter()
@@ -175,7 +175,7 @@ void the_order_of_the_faces_does_not_matter()
     const std::vector<std::size_t> order = random_permutation(mesh.faces.size(), seed);
     const Labels other = segment(with_face_order(mesh, order));
     for (std::size_t i = 0; i < order.size(); ++i)
-      CHECK_EQUAL(other[i], labels[order[i]]);
+      CGAL_CHECK_EQUAL(other[i], labels[order[i]]);
   }
 }
 
@@ -183,7 +183,7 @@ void units_do_not_matter()
 {
   const Labels labels = segment(hollow_figure());
   for (const double unit : {std::ldexp(1., -600), std::ldexp(1., 600)})
-    CHECK(segment(scaled(hollow_figure(), unit)) == labels);
+    CGAL_CHECK(segment(scaled(hollow_figure(), unit)) == labels);
 }
 
 // A wall of polygons, not all of them convex, and with faces without area.
@@ -192,8 +192,8 @@ void walls_may_have_any_faces()
   const Test_mesh outer = scaled(translated(l_prism(), {-.5, -.5, -.5}), 2);
   const Test_mesh inner = with_reversed_orientation(scaled(translated(box(), {-.5, -.5, -.5}), .1));
   const Test_mesh solid = scaled(translated(box(2, 2, 2), {-1, -1, -1}), 5);
-  CHECK_EQUAL(number_of_segments(merged({solid, inner})), 1);
-  CHECK_EQUAL(number_of_segments(merged({solid, with_reversed_orientation(outer)})), 1);
+  CGAL_CHECK_EQUAL(number_of_segments(merged({solid, inner})), 1);
+  CGAL_CHECK_EQUAL(number_of_segments(merged({solid, with_reversed_orientation(outer)})), 1);
 }
 
 // A tip on an inner wall is one on the nearest face.
@@ -204,14 +204,14 @@ void tips_may_be_in_cavities()
   CGAL::protrusion_tips(mesh, 5, std::back_inserter(tips));
   std::vector<Mesh::Face_index> of_outer;
   CGAL::protrusion_tips(outer, 5, std::back_inserter(of_outer));
-  CHECK(tips == of_outer);
+  CGAL_CHECK(tips == of_outer);
   const std::size_t n = figure().faces.size();
   const std::vector<Mesh::Face_index> inside = {Mesh::Face_index(Mesh::size_type(n + tips.front()))};
   Labels labels(mesh.number_of_faces());
   const auto ids = boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh));
-  CHECK_EQUAL(CGAL::segmentation_from_protrusion_tips(mesh, inside, ids), 2);
-  CHECK_EQUAL(labels[tips.front()], 1);
-  CHECK_EQUAL(labels[inside.front()], 1);
+  CGAL_CHECK_EQUAL(CGAL::segmentation_from_protrusion_tips(mesh, inside, ids), 2);
+  CGAL_CHECK_EQUAL(labels[tips.front()], 1);
+  CGAL_CHECK_EQUAL(labels[inside.front()], 1);
 }
 
 // A hole through which the hollow can be drained makes one surface of both walls: the inner one goes in and is no protrusion.
@@ -230,7 +230,7 @@ void hollows_may_have_holes()
   {
     const double x = centroid(mesh, mesh.faces[f])[0];
     if (x < 13 || x > 17)
-      CHECK_EQUAL(labels[f], x < 13 ? 0u : 1u);
+      CGAL_CHECK_EQUAL(labels[f], x < 13 ? 0u : 1u);
   }
 }
 

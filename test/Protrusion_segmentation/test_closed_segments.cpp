@@ -37,7 +37,7 @@ std::vector<Part> closed_parts(const Mesh& mesh, const Labels& labels, const Lab
 void check_parts(const Mesh& mesh, const Labels& labels, const Labels& parents, const std::string& name)
 {
   const std::vector<Part> parts = closed_parts(mesh, labels, parents);
-  CHECK_EQUAL(parts.size(), parents.size());
+  CGAL_CHECK_EQUAL(parts.size(), parents.size());
   double sum = 0;
   std::size_t number_of_faces = 0;
   for (std::size_t s = 0; s < parts.size(); ++s)
@@ -51,7 +51,7 @@ void check_parts(const Mesh& mesh, const Labels& labels, const Labels& parents, 
   check::report(std::abs(sum - expected) <= 1e-9 * std::abs(expected), __FILE__, __LINE__,
                 name + ": volumes add up to " + std::to_string(sum) + ", not to " +
                   std::to_string(expected));
-  CHECK(parts.size() < 2 || number_of_faces > mesh.number_of_faces());
+  CGAL_CHECK(parts.size() < 2 || number_of_faces > mesh.number_of_faces());
 }
 
 void test_segmentations(const Mesh& mesh, std::size_t number, const std::string& name)
@@ -90,10 +90,10 @@ void test_box_in_halves()
   const auto parts = closed_parts(mesh, labels_of_halves(mesh, 0, (smallest + largest) / 2), {0, 0});
   for (const Part& part : parts)
   {
-    CHECK_EQUAL(part.points.size(), 8);
-    CHECK_EQUAL(part.polygons.size(), mesh.number_of_faces() / 2 + 2); // two triangles close a square
-    CHECK_CLOSE(volume(part), volume(whole(mesh)) / 2, 1e-12);
-    CHECK_EQUAL(number_of_open_edges(part), 0);
+    CGAL_CHECK_EQUAL(part.points.size(), 8);
+    CGAL_CHECK_EQUAL(part.polygons.size(), mesh.number_of_faces() / 2 + 2); // two triangles close a square
+    CGAL_CHECK_CLOSE(volume(part), volume(whole(mesh)) / 2, 1e-12);
+    CGAL_CHECK_EQUAL(number_of_open_edges(part), 0);
   }
 }
 
@@ -110,14 +110,14 @@ void test_open_mesh()
     number_of_faces += part.polygons.size();
     open_edges += number_of_open_edges(part);
   }
-  CHECK(number_of_faces > mesh.number_of_faces());
-  CHECK_EQUAL(open_edges, number_of_border_edges);
+  CGAL_CHECK(number_of_faces > mesh.number_of_faces());
+  CGAL_CHECK_EQUAL(open_edges, number_of_border_edges);
 
   // A border from one end to the other cannot be closed.
   number_of_faces = 0;
   for (const auto& part : closed_parts(mesh, labels_of_halves(mesh, 0, 0), {0, 0}))
     number_of_faces += part.polygons.size();
-  CHECK_EQUAL(number_of_faces, mesh.number_of_faces());
+  CGAL_CHECK_EQUAL(number_of_faces, mesh.number_of_faces());
 }
 
 // The faces of the segment come first, in their order.
@@ -133,7 +133,7 @@ void test_faces_of_segment()
     const std::vector<std::size_t>& polygon = part.polygons[next[halves[f]]++];
     std::size_t corner = 0;
     for (const auto v : vertices_around_face(mesh.halfedge(f), mesh))
-      CHECK(part.points[polygon[corner++]] == mesh.point(v));
+      CGAL_CHECK(part.points[polygon[corner++]] == mesh.point(v));
   }
 }
 
@@ -156,11 +156,11 @@ void test_polyhedron()
   CGAL::Protrusion_segmentation::closed_segments(polyhedron, boost::make_assoc_property_map(segments),
                                                  record, std::back_inserter(parts));
   const std::vector<Part> expected = closed_parts(mesh, halves, {0, 0});
-  CHECK_EQUAL(parts.size(), 2);
+  CGAL_CHECK_EQUAL(parts.size(), 2);
   for (std::size_t s = 0; s < 2; ++s)
   {
-    CHECK_EQUAL(number_of_open_edges(parts[s]), 0);
-    CHECK_CLOSE(volume(parts[s]), volume(expected[s]), 1e-12);
+    CGAL_CHECK_EQUAL(number_of_open_edges(parts[s]), 0);
+    CGAL_CHECK_CLOSE(volume(parts[s]), volume(expected[s]), 1e-12);
   }
 }
 
@@ -168,7 +168,7 @@ void test_coordinate_that_is_not_finite()
 {
   auto mesh = to_graph<Mesh>(icosphere(1));
   mesh.point(Mesh::Vertex_index(3)) = Mesh::Point(std::numeric_limits<double>::infinity(), 0, 0);
-  CHECK_THROWS_WITH(closed_parts(mesh, Labels(mesh.number_of_faces(), 0), {0}), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(closed_parts(mesh, Labels(mesh.number_of_faces(), 0), {0}), std::invalid_argument,
                     "pmesh: vertex 3 has a coordinate that is not finite");
 }
 

@@ -74,13 +74,13 @@ void a_staircase_has_the_length_of_its_chord()
   const Test_mesh mesh = nearly_flat_sheet(n);
   const Borders found = borders_of_region(mesh,
                                           [](const Point& p) { return p[1] < 8 + std::floor(p[0] / 4); });
-  CHECK_CLOSE(length_on_mesh(mesh, found.ragged.border_length[0]), n + n / 4 - 1, precision * n);
-  CHECK_CLOSE(length_on_mesh(mesh, found.straight.border_length[0]), std::hypot(n, n / 4 - 1),
+  CGAL_CHECK_CLOSE(length_on_mesh(mesh, found.ragged.border_length[0]), n + n / 4 - 1, precision * n);
+  CGAL_CHECK_CLOSE(length_on_mesh(mesh, found.straight.border_length[0]), std::hypot(n, n / 4 - 1),
               precision * n);
   // no seam, but ridges where normals lean outwards near the border of the sheet
-  CHECK(found.straight.capacity[0] <= found.straight.border_length[0]);
-  CHECK_CLOSE(found.straight.capacity[0], found.straight.border_length[0], 0.01 * found.straight.border_length[0]);
-  CHECK_EQUAL(found.straight.concave_length[0], 0);
+  CGAL_CHECK(found.straight.capacity[0] <= found.straight.border_length[0]);
+  CGAL_CHECK_CLOSE(found.straight.capacity[0], found.straight.border_length[0], 0.01 * found.straight.border_length[0]);
+  CGAL_CHECK_EQUAL(found.straight.concave_length[0], 0);
 }
 
 void the_length_does_not_depend_on_the_size_of_faces()
@@ -89,8 +89,8 @@ void the_length_does_not_depend_on_the_size_of_faces()
   {
     const Test_mesh mesh = sheet(n, n, 1. / n, 1. / n);
     const Borders found = borders_of_region(mesh, [](const Point& p) { return p[1] < 0.3 + p[0] / 4; });
-    CHECK_CLOSE(length_on_mesh(mesh, found.straight.border_length[0]), std::hypot(1, 0.25), 0.02);
-    CHECK(length_on_mesh(mesh, found.ragged.border_length[0]) > 1.17);
+    CGAL_CHECK_CLOSE(length_on_mesh(mesh, found.straight.border_length[0]), std::hypot(1, 0.25), 0.02);
+    CGAL_CHECK(length_on_mesh(mesh, found.ragged.border_length[0]) > 1.17);
   }
 }
 
@@ -98,15 +98,15 @@ void straight_borders_stay()
 {
   const Test_mesh mesh = box(12, 2, 2);
   const Borders found = borders_of_region(sheet(9, 5), [](const Point& p) { return p[0] < 4; });
-  CHECK_CLOSE(found.straight.border_length[0], found.ragged.border_length[0], precision);
+  CGAL_CHECK_CLOSE(found.straight.border_length[0], found.ragged.border_length[0], precision);
   std::vector<Index> node(mesh.faces.size());
   std::iota(node.begin(), node.end(), Index(0));
   const Borders faces = borders(mesh, node, Index(node.size()));
   for (std::size_t arc = 0; arc < faces.ragged.target.size(); ++arc)
   {
-    CHECK_CLOSE(faces.straight.border_length[arc], faces.ragged.border_length[arc], precision);
-    CHECK_CLOSE(faces.straight.capacity[arc], faces.ragged.capacity[arc], precision);
-    CHECK_CLOSE(faces.straight.concave_length[arc], faces.ragged.concave_length[arc], precision);
+    CGAL_CHECK_CLOSE(faces.straight.border_length[arc], faces.ragged.border_length[arc], precision);
+    CGAL_CHECK_CLOSE(faces.straight.capacity[arc], faces.ragged.capacity[arc], precision);
+    CGAL_CHECK_CLOSE(faces.straight.concave_length[arc], faces.ragged.concave_length[arc], precision);
   }
 }
 
@@ -115,7 +115,7 @@ void a_closed_border_keeps_most_of_its_length()
 {
   const Borders found = borders_of_region(
     sheet(9, 9), [](const Point& p) { return std::abs(p[0] - 4.5) < 2 && std::abs(p[1] - 4.5) < 2; });
-  CHECK_CLOSE(found.straight.border_length[0], found.ragged.border_length[0] * least_share, precision);
+  CGAL_CHECK_CLOSE(found.straight.border_length[0], found.ragged.border_length[0] * least_share, precision);
 }
 
 // A bent sheet whose border follows the seam, but for a detour over the flat: the steps to the flat and back count for
@@ -132,10 +132,10 @@ void steps_beside_a_seam_do_not_count()
   const Borders found = borders_of_region(mesh, is_left_of_border);
   const double length = length_on_mesh(mesh, found.straight.border_length[0]);
   const double concave = length_on_mesh(mesh, found.straight.concave_length[0]);
-  CHECK_CLOSE(length_on_mesh(mesh, found.ragged.border_length[0]), n + 10, precision * n);
-  CHECK_CLOSE(length, n, precision * n);
+  CGAL_CHECK_CLOSE(length_on_mesh(mesh, found.ragged.border_length[0]), n + 10, precision * n);
+  CGAL_CHECK_CLOSE(length, n, precision * n);
   // an open sheet has no inside: the seam is concave or not, by the sign of the volume, but it lies on three quarters
-  CHECK(concave == 0 || (concave > 0.74 * n && concave < 0.9 * n));
+  CGAL_CHECK(concave == 0 || (concave > 0.74 * n && concave < 0.9 * n));
 }
 
 // Of any nodes of any surface: the same for both directions, no longer than before, and no shorter than allowed.
@@ -152,13 +152,13 @@ void weights_are_consistent(const Test_mesh& mesh, std::uint_fast32_t seed)
     {
       const Seam_graph& graph = found.straight;
       const Index back = graph.arc_between(graph.target[arc], i);
-      CHECK(graph.border_length[arc] == graph.border_length[back]);
-      CHECK(graph.capacity[arc] == graph.capacity[back]);
-      CHECK(graph.concave_length[arc] == graph.concave_length[back]);
-      CHECK(graph.border_length[arc] <= found.ragged.border_length[arc] * (1 + precision));
-      CHECK(graph.border_length[arc] >= found.ragged.border_length[arc] * (least_share - precision));
-      CHECK(graph.concave_length[arc] <= graph.border_length[arc] * (1 + precision));
-      CHECK(graph.capacity[arc] <= graph.border_length[arc] * (1 + precision));
+      CGAL_CHECK(graph.border_length[arc] == graph.border_length[back]);
+      CGAL_CHECK(graph.capacity[arc] == graph.capacity[back]);
+      CGAL_CHECK(graph.concave_length[arc] == graph.concave_length[back]);
+      CGAL_CHECK(graph.border_length[arc] <= found.ragged.border_length[arc] * (1 + precision));
+      CGAL_CHECK(graph.border_length[arc] >= found.ragged.border_length[arc] * (least_share - precision));
+      CGAL_CHECK(graph.concave_length[arc] <= graph.border_length[arc] * (1 + precision));
+      CGAL_CHECK(graph.capacity[arc] <= graph.border_length[arc] * (1 + precision));
     }
 }
 

@@ -24,7 +24,7 @@ void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_o
   const internal::Contracted<Seam_graph> coarse = internal::coarsen(fine, centres(surface), fine.capacity,
                                                                     number_of_nodes, quiet_execution());
   const Index n = coarse.graph.number_of_nodes();
-  CHECK(n <= fine.number_of_nodes());
+  CGAL_CHECK(n <= fine.number_of_nodes());
   check_symmetry(coarse.graph);
 
   std::vector<double> area(n, 0);
@@ -37,8 +37,8 @@ void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_o
         border += fine.capacity[arc];
   }
   for (Index i = 0; i < n; ++i)
-    CHECK_CLOSE(area[i], coarse.graph.area[i], 1e-12);
-  CHECK_CLOSE(sum(coarse.graph.capacity), border, 1e-4 * (1 + border));
+    CGAL_CHECK_CLOSE(area[i], coarse.graph.area[i], 1e-12);
+  CGAL_CHECK_CLOSE(sum(coarse.graph.capacity), border, 1e-4 * (1 + border));
 
   // every node's faces are reached from its first one
   std::vector<bool> has_begun(n, false), is_reached(fine.number_of_nodes(), false);
@@ -61,7 +61,7 @@ void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_o
         }
       }
   }
-  CHECK_EQUAL(reached, fine.number_of_nodes());
+  CGAL_CHECK_EQUAL(reached, fine.number_of_nodes());
 }
 
 // Faces of a strip that are next to each other lie far from each other in the order of the faces.
@@ -70,7 +70,7 @@ void a_strip_as_narrow_as_a_face_is_coarsened()
   const Indexed_surface surface = to_surface(thin_strip(10000, 1e-4));
   const Seam_graph strip = seam_graph(surface);
   for (const Index number : {Index(6000), Index(500)})
-    CHECK(internal::coarsen(strip, centres(surface), strip.capacity, number, quiet_execution())
+    CGAL_CHECK(internal::coarsen(strip, centres(surface), strip.capacity, number, quiet_execution())
             .graph.number_of_nodes() < 1.1 * number);
 }
 
@@ -83,10 +83,10 @@ void the_number_of_threads_does_not_matter()
   Execution parallel(0, true);
   const auto expected = internal::coarsen(fine, centres(surface), fine.capacity, 2000, quiet_execution());
   const auto found = internal::coarsen(fine, centres(surface), fine.capacity, 2000, parallel);
-  CHECK(found.node == expected.node && found.centre == expected.centre);
-  CHECK(found.graph.first_arc == expected.graph.first_arc && found.graph.target == expected.graph.target);
-  CHECK(found.graph.length == expected.graph.length && found.graph.area == expected.graph.area);
-  CHECK(found.graph.curvature == expected.graph.curvature &&
+  CGAL_CHECK(found.node == expected.node && found.centre == expected.centre);
+  CGAL_CHECK(found.graph.first_arc == expected.graph.first_arc && found.graph.target == expected.graph.target);
+  CGAL_CHECK(found.graph.length == expected.graph.length && found.graph.area == expected.graph.area);
+  CGAL_CHECK(found.graph.curvature == expected.graph.curvature &&
         found.graph.capacity == expected.graph.capacity);
 
   const internal::Index_groups faces_of_nodes(found.node, found.graph.number_of_nodes());
@@ -95,11 +95,11 @@ void the_number_of_threads_does_not_matter()
   static_cast<Seam_graph&>(expected_volumes) = expected.graph;
   internal::measure_volumes(surface, found.node, faces_of_nodes, volumes, true);
   internal::measure_volumes(surface, found.node, faces_of_nodes, expected_volumes, false);
-  CHECK(volumes.border_vector == expected_volumes.border_vector &&
+  CGAL_CHECK(volumes.border_vector == expected_volumes.border_vector &&
         volumes.border_area == expected_volumes.border_area);
-  CHECK(volumes.border_moment == expected_volumes.border_moment &&
+  CGAL_CHECK(volumes.border_moment == expected_volumes.border_moment &&
         volumes.area_vector == expected_volumes.area_vector);
-  CHECK(volumes.flux == expected_volumes.flux);
+  CGAL_CHECK(volumes.flux == expected_volumes.flux);
 #endif
 }
 

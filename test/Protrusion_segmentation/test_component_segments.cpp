@@ -35,8 +35,8 @@ void check_tree(const Component_segments& segments, const internal::Seam_graph& 
   std::vector<double> area(number, 0), beyond(number, 0);
   for (Index f = 0; f < graph.number_of_nodes(); ++f)
     area[segments.labels()[f]] += graph.area[f];
-  CHECK_EQUAL(segments.parents().size(), number);
-  CHECK_EQUAL(segments.parents()[0], 0u);
+  CGAL_CHECK_EQUAL(segments.parents().size(), number);
+  CGAL_CHECK_EQUAL(segments.parents()[0], 0u);
   for (std::size_t s = 0; s < number; ++s)
   {
     std::size_t t = s, steps = 0;
@@ -45,18 +45,18 @@ void check_tree(const Component_segments& segments, const internal::Seam_graph& 
       t = segments.parents()[t];
       beyond[t] += area[s];
     }
-    CHECK(steps < number);
+    CGAL_CHECK(steps < number);
   }
   for (std::size_t s = 0; s < number; ++s)
-    CHECK_CLOSE(segments.areas_beyond()[s], beyond[s], 1e-9);
+    CGAL_CHECK_CLOSE(segments.areas_beyond()[s], beyond[s], 1e-9);
 }
 
 // The body has no cut; the others have all cuts, each once, in their order.
 void check_cuts(const Component_segments& segments, const Cut_set& set)
 {
-  CHECK(segments.cut(0) == nullptr);
+  CGAL_CHECK(segments.cut(0) == nullptr);
   for (std::size_t s = 1; s < segments.number_of_segments(); ++s)
-    CHECK(segments.cut(s) == &set.cuts[s - 1]);
+    CGAL_CHECK(segments.cut(s) == &set.cuts[s - 1]);
 }
 
 void check_segments_of_sets(const Test_mesh& mesh, std::size_t largest_number, bool moves_borders)
@@ -67,7 +67,7 @@ void check_segments_of_sets(const Test_mesh& mesh, std::size_t largest_number, b
   for (std::size_t k = 1; k <= largest_number && of_mesh.component.best(k); ++k)
   {
     const Component_segments segments = segments_of(of_mesh, k);
-    CHECK_EQUAL(segments.number_of_segments(), k);
+    CGAL_CHECK_EQUAL(segments.number_of_segments(), k);
     check_segments(of_mesh.component.graphs().fine, segments.labels(), k);
     check_tree(segments, of_mesh.component.graphs().fine);
     check_cuts(segments, *of_mesh.component.best(k));
@@ -85,7 +85,7 @@ void borders_may_stay_on_nodes(const Test_mesh& mesh, std::size_t number)
   std::set<std::pair<Index, Index>> pairs;
   for (std::size_t f = 0; f < labels.size(); ++f)
     pairs.emplace(labels[f], expected[f]);
-  CHECK_EQUAL(pairs.size(), number);
+  CGAL_CHECK_EQUAL(pairs.size(), number);
 }
 
 // Of a star, every arm sticks out of the ball.
@@ -94,8 +94,8 @@ void arms_stick_out_of_the_ball(std::size_t arms)
   Component_of_mesh of_mesh(star(arms));
   const Component_segments segments = segments_of(of_mesh, arms + 1);
   for (const Index parent : segments.parents())
-    CHECK_EQUAL(parent, 0u);
-  CHECK_CLOSE(segments.areas_beyond()[0], 1, 1e-6);
+    CGAL_CHECK_EQUAL(parent, 0u);
+  CGAL_CHECK_CLOSE(segments.areas_beyond()[0], 1, 1e-6);
 }
 
 // Of an octopus, whose arms begin side by side, every arm sticks out of the head.
@@ -110,7 +110,7 @@ void arms_that_touch_stick_out_of_the_head()
     sticks.push_back({0.3 * along, reach * along + Point{0, 0, -0.5}, 0.38, 0.15, 1 + i});
   }
   Component_of_mesh of_mesh(implicit_mesh(Implicit_body(sticks, 0.03), 0.12));
-  CHECK(segments_of(of_mesh, arms + 1).parents() == std::vector<Index>(arms + 1, 0));
+  CGAL_CHECK(segments_of(of_mesh, arms + 1).parents() == std::vector<Index>(arms + 1, 0));
 }
 
 // Of a ball with two arms, palms and three fingers each.
@@ -122,7 +122,7 @@ void fingers_stick_out_of_their_palms()
   for (Index s = 0; s < parents.size(); ++s)
     children.push_back(std::count(parents.begin(), parents.end(), s));
   std::sort(children.begin(), children.end());
-  CHECK(children == (std::vector<std::ptrdiff_t>{0, 0, 0, 0, 0, 0, 1, 1, 3, 3, 3})); // the body is its own parent
+  CGAL_CHECK(children == (std::vector<std::ptrdiff_t>{0, 0, 0, 0, 0, 0, 1, 1, 3, 3, 3})); // the body is its own parent
 }
 
 int main()

@@ -40,17 +40,17 @@ void check_components(const Test_mesh& mesh, std::uint_fast32_t seed)
     labels.push_back(static_cast<Index>(random.index(3)));
 
   const internal::Label_components components = internal::label_components(surface, labels);
-  CHECK(components.component == components_by_walks(surface, labels));
+  CGAL_CHECK(components.component == components_by_walks(surface, labels));
   std::vector<double> areas(components.label.size(), 0);
   for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
-    CHECK_EQUAL(components.label[components.component[f]], labels[f]);
+    CGAL_CHECK_EQUAL(components.label[components.component[f]], labels[f]);
     areas[components.component[f]] += surface.area(f);
   }
   for (std::size_t c = 0; c < areas.size(); ++c)
-    CHECK_CLOSE(components.area[c], areas[c], 1e-12 * surface.area());
+    CGAL_CHECK_CLOSE(components.area[c], areas[c], 1e-12 * surface.area());
 
-  CHECK(internal::components_of_faces(surface) ==
+  CGAL_CHECK(internal::components_of_faces(surface) ==
         components_by_walks(surface, std::vector<Index>(surface.number_of_faces(), 0)));
 }
 
@@ -64,6 +64,6 @@ int main()
     check_components(with_face_order(two, random_permutation(two.faces.size(), seed)), seed);
   }
   check_components(single_triangle(), 1);
-  CHECK(internal::components_of_faces(Indexed_surface()).empty());
+  CGAL_CHECK(internal::components_of_faces(Indexed_surface()).empty());
   return check::result();
 }

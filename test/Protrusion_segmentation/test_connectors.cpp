@@ -58,19 +58,19 @@ void test_volumes_of_two_cubes()
           options.tolerance = tolerance;
         check_connected(cubes.mesh, cubes.labels, {0, 0}, options, "two cubes");
         const Connected found = connected(cubes.mesh, cubes.labels, {0, 0}, options);
-        CHECK_EQUAL(found.connectors.size(), 1);
+        CGAL_CHECK_EQUAL(found.connectors.size(), 1);
         const Connector& connector = found.connectors.front();
-        CHECK(connector.status == Status::PLACED);
-        CHECK(connector.is_peg_on_segment);
-        CHECK_EQUAL(connector.segment, 1);
-        CHECK_EQUAL(connector.parent, 0);
-        CHECK_CLOSE(connector.cap_radius, half, 0.01 * half);
-        CHECK_CLOSE(connector.radius, 0.5 * connector.cap_radius, 1e-12);
-        CHECK_CLOSE(connector.depth, 0.75 * connector.cap_radius, 1e-12);
-        CHECK_CLOSE(connector.tolerance, tolerance >= 0 ? tolerance : connector.radius / 20, 1e-12);
+        CGAL_CHECK(connector.status == Status::PLACED);
+        CGAL_CHECK(connector.is_peg_on_segment);
+        CGAL_CHECK_EQUAL(connector.segment, 1);
+        CGAL_CHECK_EQUAL(connector.parent, 0);
+        CGAL_CHECK_CLOSE(connector.cap_radius, half, 0.01 * half);
+        CGAL_CHECK_CLOSE(connector.radius, 0.5 * connector.cap_radius, 1e-12);
+        CGAL_CHECK_CLOSE(connector.depth, 0.75 * connector.cap_radius, 1e-12);
+        CGAL_CHECK_CLOSE(connector.tolerance, tolerance >= 0 ? tolerance : connector.radius / 20, 1e-12);
         const Volumes volumes = volumes_of(connector, options);
-        CHECK_CLOSE(volume(found.parts[1]) / 6, volume_of_cube + volumes.peg, 1e-12 * volume_of_cube);
-        CHECK_CLOSE(volume(found.parts[0]) / 6, volume_of_cube - volumes.socket, 1e-12 * volume_of_cube);
+        CGAL_CHECK_CLOSE(volume(found.parts[1]) / 6, volume_of_cube + volumes.peg, 1e-12 * volume_of_cube);
+        CGAL_CHECK_CLOSE(volume(found.parts[0]) / 6, volume_of_cube - volumes.socket, 1e-12 * volume_of_cube);
       }
 }
 
@@ -117,10 +117,10 @@ void test_socket_is_peg_widened_by_tolerance()
     if (least < 0.1)
     {
       ++number_of_planes;
-      CHECK_CLOSE(least, 0.01, 1e-12);
+      CGAL_CHECK_CLOSE(least, 0.01, 1e-12);
     }
   }
-  CHECK(number_of_planes >= 6 * 4 + 4); // two triangles for each side and slope, and the end
+  CGAL_CHECK(number_of_planes >= 6 * 4 + 4); // two triangles for each side and slope, and the end
 }
 
 // Lengths are those of the user, however large the mesh.
@@ -132,12 +132,12 @@ void test_size_of_mesh()
     Connector_options options;
     options.tolerance = 0.01 * size;
     const Connected found = connected(cubes.mesh, cubes.labels, {0, 0}, options);
-    CHECK_EQUAL(number_of_placed(found), 1);
-    CHECK_CLOSE(found.connectors[0].tolerance / size, 0.01, 1e-12);
-    CHECK_CLOSE(found.connectors[0].radius / size,
+    CGAL_CHECK_EQUAL(number_of_placed(found), 1);
+    CGAL_CHECK_CLOSE(found.connectors[0].tolerance / size, 0.01, 1e-12);
+    CGAL_CHECK_CLOSE(found.connectors[0].radius / size,
                 connected(two_cubes().mesh, cubes.labels, {0, 0}).connectors[0].radius, 1e-9);
     for (const Part& part : found.parts)
-      CHECK_EQUAL(number_of_open_edges(part), 0);
+      CGAL_CHECK_EQUAL(number_of_open_edges(part), 0);
   }
 }
 
@@ -170,19 +170,19 @@ void test_statuses()
     const std::vector<Part> flat = without_connectors(cubes.mesh, cubes.labels, {0, 0});
     if (found.connectors.front().status != Status::PLACED)
       for (std::size_t s = 0; s < flat.size(); ++s)
-        CHECK(found.parts[s].points == flat[s].points && found.parts[s].polygons == flat[s].polygons);
+        CGAL_CHECK(found.parts[s].points == flat[s].points && found.parts[s].polygons == flat[s].polygons);
     return found.connectors.front().status;
   };
   Connector_options options;
   options.smallest_radius = 0.26 * 2;
-  CHECK(status(options) == Status::CAP_TOO_SMALL);
+  CGAL_CHECK(status(options) == Status::CAP_TOO_SMALL);
   options = {};
   options.tolerance = 1;
-  CHECK(status(options) == Status::CAP_TOO_SMALL);
+  CGAL_CHECK(status(options) == Status::CAP_TOO_SMALL);
   options = {};
   options.depth = 100; // as deep as there is room
-  CHECK(status(options) == Status::PLACED);
-  CHECK(connected(cubes.mesh, cubes.labels, {0, 0}, options).connectors[0].depth < 2);
+  CGAL_CHECK(status(options) == Status::PLACED);
+  CGAL_CHECK(connected(cubes.mesh, cubes.labels, {0, 0}, options).connectors[0].depth < 2);
 }
 
 // The axis goes through a vertex of a symmetric mesh, whatever rounding says.
@@ -198,7 +198,7 @@ void test_axis_through_vertices()
       const Mesh::Point p = mesh.point(v);
       mesh.point(v) = Mesh::Point(p.x(), x * p.y() - y * p.z(), y * p.y() + x * p.z());
     }
-    CHECK_EQUAL(number_of_placed(connected(mesh, labels, {0, 0})), 1);
+    CGAL_CHECK_EQUAL(number_of_placed(connected(mesh, labels, {0, 0})), 1);
   }
 }
 
@@ -216,10 +216,10 @@ void test_thin_protrusion_and_parent()
     }
     const Labels labels = labels_of_halves(mesh, 0, low + cut * (high - low));
     const Connected found = connected(mesh, labels, {0, 0});
-    CHECK_EQUAL(found.connectors.size(), 1);
+    CGAL_CHECK_EQUAL(found.connectors.size(), 1);
     check_connected(mesh, labels, {0, 0}, {}, "slice");
     if (found.connectors[0].status == Status::PLACED)
-      CHECK_EQUAL(found.connectors[0].is_peg_on_segment, cut > 0.5);
+      CGAL_CHECK_EQUAL(found.connectors[0].is_peg_on_segment, cut > 0.5);
   }
 }
 
@@ -227,8 +227,8 @@ void test_open_mesh()
 {
   const auto mesh = to_graph<Mesh>(open_cylinder());
   const Connected found = connected(mesh, labels_of_halves(mesh, 2, 2), {0, 0});
-  CHECK_EQUAL(found.connectors.size(), 1);
-  CHECK(found.connectors[0].status == Status::NO_ROOM);
+  CGAL_CHECK_EQUAL(found.connectors.size(), 1);
+  CGAL_CHECK(found.connectors[0].status == Status::NO_ROOM);
 }
 
 void test_wrong_options()
@@ -242,17 +242,17 @@ void test_wrong_options()
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double value : {0., -1., 1., nan})
-    CHECK_THROWS_WITH(call(&Connector_options::radius, value), std::invalid_argument,
+    CGAL_CHECK_THROWS_WITH(call(&Connector_options::radius, value), std::invalid_argument,
                       "connectors: radius is out of range");
   for (const double value : {0., -1., nan})
-    CHECK_THROWS_WITH(call(&Connector_options::depth, value), std::invalid_argument,
+    CGAL_CHECK_THROWS_WITH(call(&Connector_options::depth, value), std::invalid_argument,
                       "connectors: depth is out of range");
   for (const double value : {-0.1, 0.6, nan})
-    CHECK_THROWS_WITH(call(&Connector_options::chamfer, value), std::invalid_argument,
+    CGAL_CHECK_THROWS_WITH(call(&Connector_options::chamfer, value), std::invalid_argument,
                       "connectors: chamfer is out of range");
   Connector_options options;
   options.number_of_sides = 2;
-  CHECK_THROWS_WITH(connected(cubes.mesh, cubes.labels, {0, 0}, options), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(connected(cubes.mesh, cubes.labels, {0, 0}, options), std::invalid_argument,
                     "connectors: number_of_sides is 2, but it must be from 3 to 1000");
 }
 

@@ -31,9 +31,9 @@ void components_of_labels()
                          2, 1, 1, 0, //
                          2, 2, 0, 0};
   const Label_components components = label_components(surface, labels);
-  CHECK(components.component == (Labels{0, 0, 1, 2, 3, 1, 1, 2, 3, 3, 2, 2}));
-  CHECK(components.label == (Labels{0, 1, 0, 2}));
-  CHECK(components.area == (std::vector<double>{2, 3, 4, 3}));
+  CGAL_CHECK(components.component == (Labels{0, 0, 1, 2, 3, 1, 1, 2, 3, 3, 2, 2}));
+  CGAL_CHECK(components.label == (Labels{0, 1, 0, 2}));
+  CGAL_CHECK(components.area == (std::vector<double>{2, 3, 4, 3}));
 }
 
 void lengths_of_borders()
@@ -42,9 +42,9 @@ void lengths_of_borders()
   const Labels labels = {0, 0, 1, 0, //
                          2, 1, 1, 0, //
                          2, 2, 0, 0};
-  CHECK_CLOSE(border_length(surface, labels, 2), 2 + 1 + 2 + 1, 1e-14); // the sheet's edge is no border
-  CHECK_CLOSE(border_length(surface, labels, 1), 1 + 1 + 2 + 1 + 1 + 2 + 2, 1e-14);
-  CHECK_EQUAL(border_length(surface, labels, 7), 0);
+  CGAL_CHECK_CLOSE(border_length(surface, labels, 2), 2 + 1 + 2 + 1, 1e-14); // the sheet's edge is no border
+  CGAL_CHECK_CLOSE(border_length(surface, labels, 1), 1 + 1 + 2 + 1 + 1 + 2 + 2, 1e-14);
+  CGAL_CHECK_EQUAL(border_length(surface, labels, 7), 0);
 }
 
 // Of the faces that are near only those connected to the tip.
@@ -54,8 +54,8 @@ void a_protrusion_is_the_piece_of_its_tip()
   Labels labels(9, 0);
   const double area = cut_off_protrusion(
     surface, labels, 0, [](Index f) { return f < 3 || f > 6; }, 5);
-  CHECK(labels == (Labels{5, 5, 5, 0, 0, 0, 0, 0, 0}));
-  CHECK_CLOSE(area, 3, 1e-14);
+  CGAL_CHECK(labels == (Labels{5, 5, 5, 0, 0, 0, 0, 0, 0}));
+  CGAL_CHECK_CLOSE(area, 3, 1e-14);
 }
 
 // What is cut off from the largest rest goes with the protrusion.
@@ -65,8 +65,8 @@ void islands_go_with_the_protrusion()
   Labels labels(15, 0);
   const auto is_ring = [](Index f) { return f == 1 || f == 6 || f == 11; }; // a column
   const double area = cut_off_protrusion(surface, labels, 6, is_ring, 1);
-  CHECK(labels == (Labels{1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0}));
-  CHECK_CLOSE(area, 6, 1e-14);
+  CGAL_CHECK(labels == (Labels{1, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 1, 0, 0, 0}));
+  CGAL_CHECK_CLOSE(area, 6, 1e-14);
 }
 
 void among_equal_rests_the_one_with_the_lowest_face_stays()
@@ -75,7 +75,7 @@ void among_equal_rests_the_one_with_the_lowest_face_stays()
   Labels labels(5, 3);
   cut_off_protrusion(
     surface, labels, 2, [](Index f) { return f == 2; }, 4);
-  CHECK(labels == (Labels{3, 3, 4, 4, 4}));
+  CGAL_CHECK(labels == (Labels{3, 3, 4, 4, 4}));
 }
 
 void other_segments_are_left_alone()
@@ -84,7 +84,7 @@ void other_segments_are_left_alone()
   Labels labels = {1, 0, 0, 0, 0, 2};
   cut_off_protrusion(
     surface, labels, 1, [](Index f) { return f <= 2 || f == 5; }, 3);
-  CHECK(labels == (Labels{1, 3, 3, 0, 0, 2}));
+  CGAL_CHECK(labels == (Labels{1, 3, 3, 0, 0, 2}));
 }
 
 // Protrusions cut off at random from random surfaces, some with several borders.
@@ -110,14 +110,14 @@ void both_segments_are_connected()
       double expected_area = 0;
       for (Index f = 0; f < surface.number_of_faces(); ++f)
       {
-        CHECK(labels[f] == before[f] || (labels[f] == id && before[f] == before[tip]));
+        CGAL_CHECK(labels[f] == before[f] || (labels[f] == id && before[f] == before[tip]));
         expected_area += labels[f] == id ? surface.area(f) : 0;
       }
-      CHECK_CLOSE(area, expected_area, 1e-12);
-      CHECK_EQUAL(labels[tip], id);
+      CGAL_CHECK_CLOSE(area, expected_area, 1e-12);
+      CGAL_CHECK_EQUAL(labels[tip], id);
       // the rest is gone only if the tip was all that the segment had
       segments += std::count(labels.begin(), labels.end(), before[tip]) > 0 ? 1 : 0;
-      CHECK_EQUAL(number_of_pieces(mesh, labels), segments);
+      CGAL_CHECK_EQUAL(number_of_pieces(mesh, labels), segments);
     }
   }
 }
@@ -129,15 +129,15 @@ void extracted_segments_are_the_surface_of_their_faces()
   for (int repetition = 0; repetition < 2; ++repetition) // the work arrays are left clean
   {
     const Extracted_segment extracted = extract({1, 2, 5, 6, 7});
-    CHECK(extracted.faces == (Labels{1, 2, 5, 6, 7}));
-    CHECK_EQUAL(extracted.surface.number_of_faces(), 5);
-    CHECK_EQUAL(extracted.surface.number_of_vertices(), 11);
-    CHECK_EQUAL(num_edges(extracted.surface.dual_graph()), 2 * 5);
-    CHECK(extracted.is_on_cut == (std::vector<bool>{true, true, true, true, true}));
+    CGAL_CHECK(extracted.faces == (Labels{1, 2, 5, 6, 7}));
+    CGAL_CHECK_EQUAL(extracted.surface.number_of_faces(), 5);
+    CGAL_CHECK_EQUAL(extracted.surface.number_of_vertices(), 11);
+    CGAL_CHECK_EQUAL(num_edges(extracted.surface.dual_graph()), 2 * 5);
+    CGAL_CHECK(extracted.is_on_cut == (std::vector<bool>{true, true, true, true, true}));
     for (Index f = 0; f < 5; ++f)
     {
-      CHECK(extracted.surface.centroid(f) == surface.centroid(extracted.faces[f]));
-      CHECK_EQUAL(extracted.surface.area(f), surface.area(extracted.faces[f]));
+      CGAL_CHECK(extracted.surface.centroid(f) == surface.centroid(extracted.faces[f]));
+      CGAL_CHECK_EQUAL(extracted.surface.area(f), surface.area(extracted.faces[f]));
     }
   }
 }
@@ -147,21 +147,21 @@ void only_faces_beside_other_faces_are_on_the_cut()
 {
   const Indexed_surface surface = to_surface(sheet(5, 2));
   const Extracted_segment left = Segment_extractor(surface)({0, 1, 2, 5, 6, 7});
-  CHECK(left.is_on_cut == (std::vector<bool>{false, false, true, false, false, true}));
+  CGAL_CHECK(left.is_on_cut == (std::vector<bool>{false, false, true, false, false, true}));
   Labels all(10);
   std::iota(all.begin(), all.end(), Index(0));
   const Extracted_segment whole = Segment_extractor(surface)(all);
-  CHECK(whole.is_on_cut == std::vector<bool>(10, false));
-  CHECK_EQUAL(num_edges(whole.surface.dual_graph()), num_edges(surface.dual_graph()));
+  CGAL_CHECK(whole.is_on_cut == std::vector<bool>(10, false));
+  CGAL_CHECK_EQUAL(num_edges(whole.surface.dual_graph()), num_edges(surface.dual_graph()));
 }
 
 void extraction_keeps_the_order_that_is_asked_for()
 {
   const Indexed_surface surface = to_surface(bumpy_sphere(2, 3));
   const Extracted_segment reversed = Segment_extractor(surface)({9, 3, 5});
-  CHECK(reversed.faces == (Labels{9, 3, 5}));
-  CHECK(reversed.surface.centroid(0) == surface.centroid(9));
-  CHECK(reversed.surface.centroid(2) == surface.centroid(5));
+  CGAL_CHECK(reversed.faces == (Labels{9, 3, 5}));
+  CGAL_CHECK(reversed.surface.centroid(0) == surface.centroid(9));
+  CGAL_CHECK(reversed.surface.centroid(2) == surface.centroid(5));
 }
 
 Labels parents_of(const Nested_segments& segments)
@@ -177,30 +177,30 @@ void segments_begin_with_the_components()
   const Test_mesh one = icosphere(1);
   const Nested_segments segments(
     to_surface(merged({one, translated(one, {3, 0, 0}), translated(one, {6, 0, 0})})));
-  CHECK_EQUAL(segments.number_of_segments(), 3);
-  CHECK_EQUAL(segments.number_of_components(), 3);
-  CHECK(parents_of(segments) == (Labels{0, 1, 2}));
+  CGAL_CHECK_EQUAL(segments.number_of_segments(), 3);
+  CGAL_CHECK_EQUAL(segments.number_of_components(), 3);
+  CGAL_CHECK(parents_of(segments) == (Labels{0, 1, 2}));
   for (std::size_t f = 0; f < segments.labels().size(); ++f)
-    CHECK_EQUAL(segments.labels()[f], f / one.faces.size());
-  CHECK_EQUAL(segments.faces(1).size(), one.faces.size());
-  CHECK_EQUAL(segments.faces(1).front(), one.faces.size());
-  CHECK_EQUAL(Nested_segments(Indexed_surface()).number_of_segments(), 0);
+    CGAL_CHECK_EQUAL(segments.labels()[f], f / one.faces.size());
+  CGAL_CHECK_EQUAL(segments.faces(1).size(), one.faces.size());
+  CGAL_CHECK_EQUAL(segments.faces(1).front(), one.faces.size());
+  CGAL_CHECK_EQUAL(Nested_segments(Indexed_surface()).number_of_segments(), 0);
 }
 
 void what_is_cut_off_gets_the_next_number()
 {
   const Indexed_surface surface = to_surface(sheet(5, 1));
   Nested_segments segments(surface);
-  CHECK_EQUAL(segments.cut_off(0, {2, 3, 4}), 1);
-  CHECK_EQUAL(segments.cut_off(1, {2}), 2);
-  CHECK(parents_of(segments) == (Labels{0, 0, 1}));
-  CHECK(segments.labels() == (Labels{0, 0, 2, 1, 1}));
-  CHECK(segments.faces(0) == (Labels{0, 1}));
-  CHECK(segments.faces(1) == (Labels{3, 4}));
-  CHECK(segments.faces(2) == (Labels{2}));
-  CHECK_EQUAL(segments.area(surface, 1), 2);
-  CHECK_EQUAL(segments.number_of_segments(), 3);
-  CHECK_EQUAL(segments.number_of_components(), 1);
+  CGAL_CHECK_EQUAL(segments.cut_off(0, {2, 3, 4}), 1);
+  CGAL_CHECK_EQUAL(segments.cut_off(1, {2}), 2);
+  CGAL_CHECK(parents_of(segments) == (Labels{0, 0, 1}));
+  CGAL_CHECK(segments.labels() == (Labels{0, 0, 2, 1, 1}));
+  CGAL_CHECK(segments.faces(0) == (Labels{0, 1}));
+  CGAL_CHECK(segments.faces(1) == (Labels{3, 4}));
+  CGAL_CHECK(segments.faces(2) == (Labels{2}));
+  CGAL_CHECK_EQUAL(segments.area(surface, 1), 2);
+  CGAL_CHECK_EQUAL(segments.number_of_segments(), 3);
+  CGAL_CHECK_EQUAL(segments.number_of_components(), 1);
 }
 
 int main()

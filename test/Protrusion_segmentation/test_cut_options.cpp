@@ -24,49 +24,49 @@ void clues_have_limits()
     return Cut_options().weights(clues);
   };
   const double usual = log_odds(0.2, 0.5, 0.5);
-  CHECK(log_odds(0.3, 0.5, 0.5) > usual && log_odds(0.1, 0.5, 0.5) < usual);
-  CHECK_EQUAL(log_odds(0.9, 0.5, 0.5), log_odds(0.3, 0.5, 0.5));
-  CHECK_EQUAL(log_odds(-1, 0.5, 0.5), log_odds(0.1, 0.5, 0.5));
-  CHECK_EQUAL(log_odds(0.2, 0.1, 0.5), usual);
+  CGAL_CHECK(log_odds(0.3, 0.5, 0.5) > usual && log_odds(0.1, 0.5, 0.5) < usual);
+  CGAL_CHECK_EQUAL(log_odds(0.9, 0.5, 0.5), log_odds(0.3, 0.5, 0.5));
+  CGAL_CHECK_EQUAL(log_odds(-1, 0.5, 0.5), log_odds(0.1, 0.5, 0.5));
+  CGAL_CHECK_EQUAL(log_odds(0.2, 0.1, 0.5), usual);
   double last = log_odds(0.2, 0.6, 0.5);
-  CHECK_EQUAL(last, usual);
+  CGAL_CHECK_EQUAL(last, usual);
   for (const double flatness : {0.7, 0.8, 0.9, 1.})
   {
-    CHECK(log_odds(0.2, flatness, 0.5) < last);
+    CGAL_CHECK(log_odds(0.2, flatness, 0.5) < last);
     last = log_odds(0.2, flatness, 0.5);
   }
-  CHECK(log_odds(0.2, 0.5, 1) < usual && log_odds(0.2, 0.5, 0) > usual);
-  CHECK_EQUAL(log_odds(0.2, 0.5, -2), log_odds(0.2, 0.5, -0.3));
+  CGAL_CHECK(log_odds(0.2, 0.5, 1) < usual && log_odds(0.2, 0.5, 0) > usual);
+  CGAL_CHECK_EQUAL(log_odds(0.2, 0.5, -2), log_odds(0.2, 0.5, -0.3));
 }
 
 // Seams are cheap, ridges less so, and nothing is cheaper than the least cost.
 void seams_are_cheap()
 {
   const Cut_options options;
-  CHECK_CLOSE(options.cost(3, 0), 3, 1e-12);
-  CHECK(options.cost(1, 1) < options.cost(1, 0) && options.cost(1, 10) < options.cost(1, 1));
-  CHECK(options.cost(1, -10) < 1 && options.cost(1, -10) > options.cost(1, 10));
-  CHECK_CLOSE(options.cost(1, 1000), options.least_cost, 1e-12);
+  CGAL_CHECK_CLOSE(options.cost(3, 0), 3, 1e-12);
+  CGAL_CHECK(options.cost(1, 1) < options.cost(1, 0) && options.cost(1, 10) < options.cost(1, 1));
+  CGAL_CHECK(options.cost(1, -10) < 1 && options.cost(1, -10) > options.cost(1, 10));
+  CGAL_CHECK_CLOSE(options.cost(1, 1000), options.least_cost, 1e-12);
 }
 
 // By the area to the power of 3/4.
 void relative_costs_have_known_values()
 {
-  CHECK_CLOSE(cost_for_area(2, 1), 2, 1e-12);
-  CHECK_CLOSE(cost_for_area(2, 1. / 16), 16, 1e-12);
-  CHECK(is_large_enough(0.0025, 1) && !is_large_enough(0.0024, 1));
-  CHECK(is_large_enough(0.9974, 1) && !is_large_enough(0.9976, 1));
+  CGAL_CHECK_CLOSE(cost_for_area(2, 1), 2, 1e-12);
+  CGAL_CHECK_CLOSE(cost_for_area(2, 1. / 16), 16, 1e-12);
+  CGAL_CHECK(is_large_enough(0.0025, 1) && !is_large_enough(0.0024, 1));
+  CGAL_CHECK(is_large_enough(0.9974, 1) && !is_large_enough(0.9976, 1));
 }
 
 // Even log odds are near one half, and probabilities rise with them.
 void probabilities_rise()
 {
-  CHECK_EQUAL(logistic(0), 0.5);
-  CHECK_CLOSE(logistic(std::log(3.)), 0.75, 1e-12);
+  CGAL_CHECK_EQUAL(logistic(0), 0.5);
+  CGAL_CHECK_CLOSE(logistic(std::log(3.)), 0.75, 1e-12);
   for (double log_odds = -20; log_odds < 20; log_odds += 0.5)
   {
-    CHECK(probability_of_border(log_odds) < probability_of_border(log_odds + 0.5));
-    CHECK(probability_of_border(log_odds) > 0 && probability_of_border(log_odds) < 1);
+    CGAL_CHECK(probability_of_border(log_odds) < probability_of_border(log_odds + 0.5));
+    CGAL_CHECK(probability_of_border(log_odds) > 0 && probability_of_border(log_odds) < 1);
   }
 }
 

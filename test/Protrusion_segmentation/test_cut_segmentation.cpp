@@ -43,8 +43,8 @@ void the_automatic_number_may_be_asked_for(const Test_mesh& mesh)
   const Indexed_surface surface = to_surface(mesh);
   const Nested_segments automatic = segments_of(surface);
   const Nested_segments asked_for = segments_of(surface, automatic.number_of_segments());
-  CHECK(asked_for.labels() == automatic.labels());
-  CHECK(parents_of(asked_for) == parents_of(automatic));
+  CGAL_CHECK(asked_for.labels() == automatic.labels());
+  CGAL_CHECK(parents_of(asked_for) == parents_of(automatic));
 }
 
 // Up to the automatic number, components get the protrusions that they have on their own. One segment more is cut off
@@ -54,7 +54,7 @@ void one_segment_more_changes_one_component(const Test_mesh& mesh)
   const Indexed_surface surface = to_surface(mesh);
   const Nested_segments automatic = segments_of(surface);
   const Nested_segments more = segments_of(surface, automatic.number_of_segments() + 1);
-  CHECK_EQUAL(more.number_of_segments(), automatic.number_of_segments() + 1);
+  CGAL_CHECK_EQUAL(more.number_of_segments(), automatic.number_of_segments() + 1);
   const Nested_segments components(surface);
   std::vector<std::set<Index>> segments(components.number_of_components()), expected = segments;
   for (std::size_t f = 0; f < components.labels().size(); ++f)
@@ -65,7 +65,7 @@ void one_segment_more_changes_one_component(const Test_mesh& mesh)
   std::size_t different = 0;
   for (std::size_t c = 0; c < segments.size(); ++c)
     different += segments[c].size() != expected[c].size();
-  CHECK_EQUAL(different, 1u);
+  CGAL_CHECK_EQUAL(different, 1u);
 }
 
 Test_mesh many_tetrahedra(std::size_t number)
@@ -83,8 +83,8 @@ void many_components_may_have_many_segments()
   constexpr std::size_t components = 4000;
   const Indexed_surface surface = to_surface(many_tetrahedra(components));
   for (const std::size_t k : {components + 1, 2 * components, 4 * components})
-    CHECK_EQUAL(segments_of(surface, k).number_of_segments(), k);
-  CHECK_EQUAL(segments_of(surface, 4 * components + 1).number_of_segments(),
+    CGAL_CHECK_EQUAL(segments_of(surface, k).number_of_segments(), k);
+  CGAL_CHECK_EQUAL(segments_of(surface, 4 * components + 1).number_of_segments(),
               4 * components); // there are no more faces
 }
 

@@ -45,11 +45,11 @@ void check_cuts(const internal::Component& component, const Cut_set& set, const 
   for (const Cut_set::Made_cut& cut : set.cuts)
   {
     const internal::Segment& inner = component.memo()[cut.inner].segment;
-    CHECK(inner.area <= 0.5 + 1e-9);
+    CGAL_CHECK(inner.area <= 0.5 + 1e-9);
     std::size_t count = 0;
     for (const Index tip : tips)
       count += contains(inner.nodes, component.graphs().node_of_face[tip]);
-    CHECK_EQUAL(count, 1u);
+    CGAL_CHECK_EQUAL(count, 1u);
   }
   check_segments(component.graphs().coarse, labels_of_nodes(component, set), set.segments.size());
 }
@@ -63,7 +63,7 @@ void arms_are_cut_off(const Test_mesh& mesh)
   {
     const std::vector<Index> tips(all_tips.begin(), all_tips.begin() + std::ptrdiff_t(number));
     const Cut_set set = of_mesh.component.cuts_of_tips(tips);
-    CHECK_EQUAL(set.segments.size(), number + 1);
+    CGAL_CHECK_EQUAL(set.segments.size(), number + 1);
     check_cuts(of_mesh.component, set, tips);
     const std::vector<Index> labels = labels_of_faces(of_mesh.component, set);
     for (std::size_t t = 0; t < number; ++t)
@@ -75,7 +75,7 @@ void arms_are_cut_off(const Test_mesh& mesh)
         common += is_in_part && is_in_segment ? of_mesh.surface.area(Index(f)) : 0;
         both += is_in_part || is_in_segment ? of_mesh.surface.area(Index(f)) : 0;
       }
-      CHECK(common > 0.8 * both);
+      CGAL_CHECK(common > 0.8 * both);
     }
   }
 }
@@ -90,9 +90,9 @@ void any_faces_may_be_tips(const Test_mesh& mesh)
     const std::vector<Index> tips(order.begin(),
                                   order.begin() + std::ptrdiff_t((std::min)(number, order.size())));
     const Cut_set set = of_mesh.component.cuts_of_tips(tips);
-    CHECK(set.segments.size() <= tips.size() + 1);
+    CGAL_CHECK(set.segments.size() <= tips.size() + 1);
     for (const Cut_set::Made_cut& cut : set.cuts)
-      CHECK(of_mesh.component.memo()[cut.inner].segment.area <= 0.5 + 1e-9);
+      CGAL_CHECK(of_mesh.component.memo()[cut.inner].segment.area <= 0.5 + 1e-9);
     check_segments(of_mesh.component.graphs().coarse, labels_of_nodes(of_mesh.component, set),
                    set.segments.size());
   }
@@ -120,7 +120,7 @@ void tips_of_a_result_give_the_result(const Test_mesh& mesh, std::size_t largest
     const Cut_set set = *of_mesh.component.best(number);
     std::vector<Index> tips = tips_of(of_mesh.component, set, of_mesh);
     std::reverse(tips.begin(), tips.end());
-    CHECK(of_mesh.component.cuts_of_tips(tips).segments == set.segments);
+    CGAL_CHECK(of_mesh.component.cuts_of_tips(tips).segments == set.segments);
   }
 }
 
@@ -138,10 +138,10 @@ void a_further_tip_adds_a_protrusion()
       tips.insert(tips.begin(), tip);
       break;
     }
-  CHECK_EQUAL(tips.size(), 4u);
+  CGAL_CHECK_EQUAL(tips.size(), 4u);
   const Cut_set larger = of_mesh.component.cuts_of_tips(tips);
-  CHECK_EQUAL(larger.segments.size(), 5u);
-  CHECK(std::count_if(set.segments.begin(), set.segments.end(),
+  CGAL_CHECK_EQUAL(larger.segments.size(), 5u);
+  CGAL_CHECK(std::count_if(set.segments.begin(), set.segments.end(),
                       [&](Index s) {
                         return std::count(larger.segments.begin(), larger.segments.end(), s) > 0;
                       }) == 3);

@@ -33,9 +33,9 @@ void a_step_is_one_inflection_at_its_foot()
   for (const std::size_t slot : {20, 50, 90})
   {
     const std::vector<Inflection> inflections = inflection_points(step(slot, 4));
-    CHECK_EQUAL(inflections.size(), 1);
-    CHECK(inflections.at(0).slot + 2 >= slot && inflections.at(0).slot <= slot);
-    CHECK_CLOSE(inflections.at(0).prominence, std::log(4.), 1e-12);
+    CGAL_CHECK_EQUAL(inflections.size(), 1);
+    CGAL_CHECK(inflections.at(0).slot + 2 >= slot && inflections.at(0).slot <= slot);
+    CGAL_CHECK_CLOSE(inflections.at(0).prominence, std::log(4.), 1e-12);
   }
 }
 
@@ -43,13 +43,13 @@ void the_most_prominent_inflection_comes_first()
 {
   const std::vector<Inflection> inflections = inflection_points(
     diameters([](std::size_t slot) { return slot < 30 ? 1. : slot < 50 ? 1.5 : slot < 70 ? 6. : 7.; }));
-  CHECK_EQUAL(inflections.size(), 3);
-  CHECK_CLOSE(inflections.at(0).prominence, std::log(4.), 1e-12);
-  CHECK_CLOSE(inflections.at(1).prominence, std::log(1.5), 1e-12);
-  CHECK_CLOSE(inflections.at(2).prominence, std::log(7. / 6), 1e-12);
-  CHECK_CLOSE(double(inflections.at(0).slot), 49., 1.);
-  CHECK_CLOSE(double(inflections.at(1).slot), 29., 1.);
-  CHECK_CLOSE(double(inflections.at(2).slot), 69., 1.);
+  CGAL_CHECK_EQUAL(inflections.size(), 3);
+  CGAL_CHECK_CLOSE(inflections.at(0).prominence, std::log(4.), 1e-12);
+  CGAL_CHECK_CLOSE(inflections.at(1).prominence, std::log(1.5), 1e-12);
+  CGAL_CHECK_CLOSE(inflections.at(2).prominence, std::log(7. / 6), 1e-12);
+  CGAL_CHECK_CLOSE(double(inflections.at(0).slot), 49., 1.);
+  CGAL_CHECK_CLOSE(double(inflections.at(1).slot), 29., 1.);
+  CGAL_CHECK_CLOSE(double(inflections.at(2).slot), 69., 1.);
 }
 
 // The ratio matters, not the difference: a small body has borders as clear as a large one.
@@ -59,45 +59,45 @@ void prominence_does_not_depend_on_the_size()
   {
     const std::vector<Inflection> inflections = inflection_points(
       diameters([=](std::size_t slot) { return slot < 40 ? size : 3 * size; }));
-    CHECK_EQUAL(inflections.size(), 1);
-    CHECK_CLOSE(inflections.at(0).prominence, std::log(3.), 1e-12);
+    CGAL_CHECK_EQUAL(inflections.size(), 1);
+    CGAL_CHECK_CLOSE(inflections.at(0).prominence, std::log(3.), 1e-12);
   }
 }
 
 void even_and_falling_diameters_have_no_inflection()
 {
-  CHECK(inflection_points(step(50, 1)).empty());
-  CHECK(inflection_points(step(50, 0.2)).empty());
-  CHECK(inflection_points(diameters([](std::size_t) { return 0.; })).empty());
-  CHECK(inflection_points(diameters([](std::size_t s) { return 100. - double(s); })).empty());
+  CGAL_CHECK(inflection_points(step(50, 1)).empty());
+  CGAL_CHECK(inflection_points(step(50, 0.2)).empty());
+  CGAL_CHECK(inflection_points(diameters([](std::size_t) { return 0.; })).empty());
+  CGAL_CHECK(inflection_points(diameters([](std::size_t s) { return 100. - double(s); })).empty());
 }
 
 void the_cap_of_a_protrusion_is_no_inflection()
 {
   const std::vector<Inflection> inflections = inflection_points(
     diameters([](std::size_t slot) { return slot < 10 ? 0.1 * double(slot) : 1.; }));
-  CHECK(inflections.empty());
+  CGAL_CHECK(inflections.empty());
 }
 
 // A section that misses: growth from nothing is none, and the ends of the histogram are no trouble.
 void missing_sections_are_no_trouble()
 {
-  CHECK(inflection_points(diameters([](std::size_t s) { return s < 60 ? 0. : 1.; })).size() <= 1);
+  CGAL_CHECK(inflection_points(diameters([](std::size_t s) { return s < 60 ? 0. : 1.; })).size() <= 1);
   for (const Inflection& inflection :
        inflection_points(diameters([](std::size_t s) { return s % 7 == 0 ? 0. : 1.; })))
-    CHECK(std::isfinite(inflection.prominence) && inflection.slot < number_of_slots);
+    CGAL_CHECK(std::isfinite(inflection.prominence) && inflection.slot < number_of_slots);
   for (const std::size_t slot : {0, 1, 11, 12, 13, 94, 95, 98, 99})
-    CHECK(inflection_points(step(slot, 2)).size() <= 1);
+    CGAL_CHECK(inflection_points(step(slot, 2)).size() <= 1);
 }
 
 void intervals_contain_their_ends()
 {
   const std::vector<Slot_interval> intervals = {{23, 68}, {71, 80}};
   for (const std::size_t slot : {23, 40, 68, 71, 80})
-    CHECK(contains(intervals, slot));
+    CGAL_CHECK(contains(intervals, slot));
   for (const std::size_t slot : {0, 22, 69, 70, 81, 99})
-    CHECK(!contains(intervals, slot));
-  CHECK(!contains({}, 5));
+    CGAL_CHECK(!contains(intervals, slot));
+  CGAL_CHECK(!contains({}, 5));
 }
 
 // A tip whose slots hold 10 faces up to `slot_of_change` and 30 from there on.
@@ -121,17 +121,17 @@ void a_border_lies_in_a_candidate_interval()
     const auto border = border_of_tip({tip_record(two_steps, slot_of_change)}, 0, conditions);
     return border ? int(border->slot) : -1;
   };
-  CHECK_CLOSE(slot_of_border(70, usual), 69, 1); // the most prominent
-  CHECK_CLOSE(slot_of_border(30, usual), 29, 1); // the next one, if it is where faces change
-  CHECK_EQUAL(slot_of_border(50, usual), -1);
-  CHECK_CLOSE(slot_of_border(50, {0.3, false, false}), 69, 1);
+  CGAL_CHECK_CLOSE(slot_of_border(70, usual), 69, 1); // the most prominent
+  CGAL_CHECK_CLOSE(slot_of_border(30, usual), 29, 1); // the next one, if it is where faces change
+  CGAL_CHECK_EQUAL(slot_of_border(50, usual), -1);
+  CGAL_CHECK_CLOSE(slot_of_border(50, {0.3, false, false}), 69, 1);
 }
 
 void a_border_is_prominent_enough()
 {
   const Tip_records records = {tip_record(step(50, 1.5), 50)};
-  CHECK(border_of_tip(records, 0, {0.4, true, false}).has_value());
-  CHECK(!border_of_tip(records, 0, {0.41, true, false}).has_value());
+  CGAL_CHECK(border_of_tip(records, 0, {0.4, true, false}).has_value());
+  CGAL_CHECK(!border_of_tip(records, 0, {0.41, true, false}).has_value());
 }
 
 void a_border_does_not_lie_beyond_another_tip()
@@ -140,14 +140,14 @@ void a_border_does_not_lie_beyond_another_tip()
   for (const double distance : {40., 60.})
   {
     records[1].to_earlier_tips = {distance};
-    CHECK_EQUAL(border_of_tip(records, 0, usual).has_value(), distance > 50);
-    CHECK_EQUAL(border_of_tip(records, 1, usual).has_value(), distance > 50);
+    CGAL_CHECK_EQUAL(border_of_tip(records, 0, usual).has_value(), distance > 50);
+    CGAL_CHECK_EQUAL(border_of_tip(records, 1, usual).has_value(), distance > 50);
   }
   records[1].to_earlier_tips = {40.};
   records[1].is_plausible = false; // then it is no tip, unless they are accepted
-  CHECK(border_of_tip(records, 0, usual).has_value());
-  CHECK(!border_of_tip(records, 1, usual).has_value());
-  CHECK(!border_of_tip(records, 0, {0.3, true, true}).has_value());
+  CGAL_CHECK(border_of_tip(records, 0, usual).has_value());
+  CGAL_CHECK(!border_of_tip(records, 1, usual).has_value());
+  CGAL_CHECK(!border_of_tip(records, 0, {0.3, true, true}).has_value());
 }
 
 // Diameters that grow and shrink by chance.
@@ -181,9 +181,9 @@ void a_window_needs_the_slots_that_it_says(std::uint_fast32_t seed)
       if (i < found.size() && found[i].slot == inflection.slot && found[i].prominence == inflection.prominence)
         ++i;
       else
-        CHECK(!is_known);
+        CGAL_CHECK(!is_known);
     }
-    CHECK_EQUAL(i, found.size());
+    CGAL_CHECK_EQUAL(i, found.size());
   }
 }
 
@@ -213,14 +213,14 @@ void the_slots_that_matter_decide(std::uint_fast32_t seed)
           first[tip].number_of_diameters = number;
           left_out += number_of_slots - number;
           const auto found = border_of_tip(first, tip, conditions), expected = border_of_tip(all, tip, conditions);
-          CHECK_EQUAL(found.has_value(), expected.has_value());
+          CGAL_CHECK_EQUAL(found.has_value(), expected.has_value());
           if (found && expected)
           {
-            CHECK_EQUAL(found->slot, expected->slot);
-            CHECK_EQUAL(found->prominence, expected->prominence);
+            CGAL_CHECK_EQUAL(found->slot, expected->slot);
+            CGAL_CHECK_EQUAL(found->prominence, expected->prominence);
           }
         }
-  CHECK(left_out > 0);
+  CGAL_CHECK(left_out > 0);
 }
 
 int main()

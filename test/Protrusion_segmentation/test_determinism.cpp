@@ -107,19 +107,19 @@ void compare_with_golden_labels()
     if (known_methods.count(method) > 0)
       golden[mesh + " " + method] = value;
   const auto found = fingerprints();
-  CHECK_EQUAL(found.size(), golden.size());
+  CGAL_CHECK_EQUAL(found.size(), golden.size());
   for (const auto& item : found)
-    CHECK_EQUAL(item.first + " " + item.second, item.first + " " + golden[item.first]);
+    CGAL_CHECK_EQUAL(item.first + " " + item.second, item.first + " " + golden[item.first]);
 }
 
 void write_golden_labels()
 {
   constexpr std::size_t number_of_methods = 5;
-  CHECK_EQUAL(methods().size(), number_of_methods); // else a library is missing
+  CGAL_CHECK_EQUAL(methods().size(), number_of_methods); // else a library is missing
   std::ofstream out(golden_file);
   for (const auto& item : fingerprints())
     out << item.first << " " << item.second << "\n";
-  CHECK(out.good());
+  CGAL_CHECK(out.good());
 }
 
 // Some threads, more threads than processors, and one.
@@ -141,7 +141,7 @@ void check_threads(const Segmentation_method& segmentation_method,
         return CGAL::segmentation_via_protrusion_tips<CGAL::Parallel_tag>(mesh, ids, k,
                                                                           segmentation_method);
       });
-    CHECK(found.labels == expected);
+    CGAL_CHECK(found.labels == expected);
   }
 #else
   static_cast<void>(segmentation_method);
@@ -192,7 +192,7 @@ void scaling_by_a_power_of_two_does_not_matter()
   {
     const Labels expected = method.second(to_graph<Mesh>(soup));
     for (const int exponent : {-900, -1, 7, 1000})
-      CHECK(method.second(to_graph<Mesh>(scaled(soup, std::ldexp(1., exponent)))) == expected);
+      CGAL_CHECK(method.second(to_graph<Mesh>(scaled(soup, std::ldexp(1., exponent)))) == expected);
   }
 }
 

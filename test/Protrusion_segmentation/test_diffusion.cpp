@@ -37,7 +37,7 @@ void groups_of_faces_average_like_faces()
   const Seam_graph graph = seam_graph(surface);
   for (const double radius : {0.2, 0.3})
   {
-    CHECK(surface.number_of_faces() > 8 * std::pow(6 / radius, 2)); // two levels of groups
+    CGAL_CHECK(surface.number_of_faces() > 8 * std::pow(6 / radius, 2)); // two levels of groups
     internal::Diffusion::Values values;
     for (Index f = 0; f < surface.number_of_faces(); ++f)
       values.push_back(
@@ -55,8 +55,8 @@ void groups_of_faces_average_like_faces()
       }
       std::cout << "radius " << radius << ", value " << i << ": " << std::sqrt(squares) << ", " << largest
                 << "\n";
-      CHECK(std::sqrt(squares) < (i == 2 ? 1e-3 : 0.03));
-      CHECK(largest < 0.1);
+      CGAL_CHECK(std::sqrt(squares) < (i == 2 ? 1e-3 : 0.03));
+      CGAL_CHECK(largest < 0.1);
     }
   }
 }
@@ -80,18 +80,18 @@ void diffusion_keeps_the_mean()
   std::array<double, 3> before = {0, 0, 0}, after = {0, 0, 0};
   for (Index f = 0; f < values.size(); ++f)
   {
-    CHECK_EQUAL(values[f][0], first_only[f][0]);
-    CHECK_EQUAL(first_only[f][1], 0);
-    CHECK_CLOSE(values[f][2], 0.5, 1e-5);
+    CGAL_CHECK_EQUAL(values[f][0], first_only[f][0]);
+    CGAL_CHECK_EQUAL(first_only[f][1], 0);
+    CGAL_CHECK_CLOSE(values[f][2], 0.5, 1e-5);
     for (int i = 0; i < 3; ++i)
     {
       before[i] += graph.area[f] * start[f][i];
       after[i] += graph.area[f] * values[f][i];
-      CHECK(values[f][i] > -0.01 && values[f][i] < 2.01);
+      CGAL_CHECK(values[f][i] > -0.01 && values[f][i] < 2.01);
     }
   }
   for (int i = 0; i < 3; ++i)
-    CHECK_CLOSE(after[i], before[i], 1e-2 * before[i]);
+    CGAL_CHECK_CLOSE(after[i], before[i], 1e-2 * before[i]);
 }
 
 int main()

@@ -33,7 +33,7 @@ Matrix transition_matrix(const Indexed_surface& surface)
         w(f, g) += surface.edge_length(f, c) /
                    std::sqrt(squared_distance(surface.centroid(f), surface.centroid(g)));
   }
-  CHECK(w.isApprox(w.transpose()));
+  CGAL_CHECK(w.isApprox(w.transpose()));
   return w.array().colwise() / w.rowwise().sum().array();
 }
 
@@ -105,7 +105,7 @@ void eigenpairs_give_the_distances_of_the_definition()
       if (t < 4 || t % 10 == 0)
       {
         const double time = -t * std::log(second_eigenvalue(surface));
-        CHECK_CLOSE(largest_difference(all_distances(surface, mesh.faces.size(), time),
+        CGAL_CHECK_CLOSE(largest_difference(all_distances(surface, mesh.faces.size(), time),
                                        distances_by_definition(p_t, stationary)),
                     0, 1e-8);
       }
@@ -121,7 +121,7 @@ void at_time_0_all_terms_add_up_to_a_formula()
   const Matrix d = all_distances(surface, surface.number_of_faces(), 0);
   for (Eigen::Index i = 0; i < d.rows(); ++i)
     for (Eigen::Index j = 0; j < d.rows(); ++j)
-      CHECK_CLOSE(d(i, j), i == j ? 0 : std::sqrt(1 / stationary[i] + 1 / stationary[j]), 1e-8);
+      CGAL_CHECK_CLOSE(d(i, j), i == j ? 0 : std::sqrt(1 / stationary[i] + 1 / stationary[j]), 1e-8);
 }
 
 // After a long time only the slowest term is left, a difference on a line.
@@ -130,9 +130,9 @@ void at_a_large_time_the_slowest_term_is_left()
   const Indexed_surface surface = to_surface(star(1));
   const double time = 40;
   const Matrix one = all_distances(surface, 1, time), ten = all_distances(surface, 10, time);
-  CHECK(one.maxCoeff() > 0);
-  CHECK_CLOSE(largest_difference(one, ten), 0, 1e-6 * one.maxCoeff());
-  CHECK_EQUAL(all_distances(surface, 10, 1e6).maxCoeff(), 0);
+  CGAL_CHECK(one.maxCoeff() > 0);
+  CGAL_CHECK_CLOSE(largest_difference(one, ten), 0, 1e-6 * one.maxCoeff());
+  CGAL_CHECK_EQUAL(all_distances(surface, 10, 1e6).maxCoeff(), 0);
 }
 
 void check_residuals(const Indexed_surface& surface, const internal::Eigenpairs& pairs)
@@ -141,10 +141,10 @@ void check_residuals(const Indexed_surface& surface, const internal::Eigenpairs&
   for (std::size_t k = 0; k < pairs.size(); ++k)
   {
     const Eigen::VectorXd& v = pairs.vectors[k];
-    CHECK_CLOSE((walk.laplacian * v - pairs.values[k] * v).norm(), 0, 1e-8);
-    CHECK_CLOSE(walk.degrees.cwiseSqrt().normalized().dot(v), 0, 1e-8);
+    CGAL_CHECK_CLOSE((walk.laplacian * v - pairs.values[k] * v).norm(), 0, 1e-8);
+    CGAL_CHECK_CLOSE(walk.degrees.cwiseSqrt().normalized().dot(v), 0, 1e-8);
     for (std::size_t l = 0; l <= k; ++l)
-      CHECK_CLOSE(v.dot(pairs.vectors[l]), k == l ? 1 : 0, 1e-8);
+      CGAL_CHECK_CLOSE(v.dot(pairs.vectors[l]), k == l ? 1 : 0, 1e-8);
   }
 }
 
@@ -162,10 +162,10 @@ void sparse_eigenpairs_are_those_of_a_dense_solver()
     {
       const internal::Eigenpairs sparse = internal::sparse_eigenpairs(walk, count, quiet_execution(),
                                                                       1000);
-      CHECK_EQUAL(sparse.size(), internal::count_with_multiplicity(dense.values, count));
-      CHECK(sparse.size() >= count);
+      CGAL_CHECK_EQUAL(sparse.size(), internal::count_with_multiplicity(dense.values, count));
+      CGAL_CHECK(sparse.size() >= count);
       for (std::size_t k = 0; k < (std::min)(sparse.size(), dense.size()); ++k)
-        CHECK_CLOSE(sparse.values[k], dense.values[k], 1e-8 * dense.values[k] + 1e-12);
+        CGAL_CHECK_CLOSE(sparse.values[k], dense.values[k], 1e-8 * dense.values[k] + 1e-12);
       check_residuals(surface, sparse);
     }
   }
@@ -187,7 +187,7 @@ void symmetry_does_not_matter()
       for (std::size_t j = 0; j < order.size(); ++j)
         largest = (std::max)(largest, std::abs(b(Eigen::Index(i), Eigen::Index(j)) -
                                              a(Eigen::Index(order[i]), Eigen::Index(order[j]))));
-    CHECK_CLOSE(largest, 0, 1e-7 * a.maxCoeff());
+    CGAL_CHECK_CLOSE(largest, 0, 1e-7 * a.maxCoeff());
   }
 }
 
@@ -195,7 +195,7 @@ void scale_does_not_matter()
 {
   const Matrix expected = all_distances(to_surface(random_surface(6)), 8, 0.5);
   for (double factor : {1e-6, 3., 1e6})
-    CHECK_CLOSE(
+    CGAL_CHECK_CLOSE(
       largest_difference(all_distances(to_surface(scaled(random_surface(6), factor)), 8, 0.5), expected),
       0, 1e-7 * expected.maxCoeff());
 }
@@ -207,7 +207,7 @@ void tessellation_hardly_matters()
   { return all_distances(to_surface(mesh), 10, 0.5).maxCoeff(); };
   const double coarse = extent(capsule_with_ball(0.3, 3, 0.8, 0.2));
   const double fine = extent(capsule_with_ball(0.3, 3, 0.8, 0.1));
-  CHECK_CLOSE(fine, coarse, 0.1 * coarse);
+  CGAL_CHECK_CLOSE(fine, coarse, 0.1 * coarse);
 }
 
 // Eigenvalue 1 is double; the second pair tells the components apart at every time.
@@ -221,8 +221,8 @@ void components_are_apart()
     for (double time : {0., 1., 100.})
     {
       const Matrix d = all_distances(surface, 1, time);
-      CHECK_CLOSE(d(0, n - 1), 0, 1e-6);
-      CHECK_CLOSE(d(0, n), 2, 1e-6); // psi is 1 on the one and -1 on the other
+      CGAL_CHECK_CLOSE(d(0, n - 1), 0, 1e-6);
+      CGAL_CHECK_CLOSE(d(0, n), 2, 1e-6); // psi is 1 on the one and -1 on the other
     }
   }
 }
@@ -230,38 +230,38 @@ void components_are_apart()
 // Where nothing holds the walk in a face, it may forget all in a step, or alternate for ever.
 void walks_that_do_not_rest_have_finite_distances()
 {
-  CHECK_CLOSE(internal::decay({1., 1.5}, 0, 0.5), std::exp(-0.5), 1e-12);
-  CHECK_CLOSE(internal::decay({2.}, 0, 0.5), std::exp(-0.5), 1e-12);
+  CGAL_CHECK_CLOSE(internal::decay({1., 1.5}, 0, 0.5), std::exp(-0.5), 1e-12);
+  CGAL_CHECK_CLOSE(internal::decay({2.}, 0, 0.5), std::exp(-0.5), 1e-12);
   Test_mesh needles;
   needles.points = {{0, 0, 0}, {1, 0, 0}, {0.5, 1e-40, 0}, {0.5, -1e-40, 0}};
   needles.add_face({0, 1, 2});
   needles.add_face({1, 0, 3});
-  CHECK(all_distances(to_surface(needles), 10, 0.5).allFinite());
+  CGAL_CHECK(all_distances(to_surface(needles), 10, 0.5).allFinite());
 }
 
 void tiny_surfaces_have_the_pairs_that_there_are()
 {
   const auto pairs = [](const Test_mesh& mesh)
   { return Diffusion_distance(10).on(to_surface(mesh), quiet_execution()).number_of_eigenpairs(); };
-  CHECK_EQUAL(pairs(Test_mesh()), 0);
-  CHECK_EQUAL(pairs(single_triangle()), 0);
-  CHECK_EQUAL(pairs(thin_strip(1)), 1);
-  CHECK_EQUAL(pairs(tetrahedron()), 3);
-  CHECK(pairs(star(4)) >= 10);
+  CGAL_CHECK_EQUAL(pairs(Test_mesh()), 0);
+  CGAL_CHECK_EQUAL(pairs(single_triangle()), 0);
+  CGAL_CHECK_EQUAL(pairs(thin_strip(1)), 1);
+  CGAL_CHECK_EQUAL(pairs(tetrahedron()), 3);
+  CGAL_CHECK(pairs(star(4)) >= 10);
 }
 
 void failure_of_the_solver_is_reported()
 {
   const internal::Random_walk walk = internal::make_random_walk(to_surface(bumpy_sphere(4, 2)));
-  CHECK_THROWS_WITH(internal::sparse_eigenpairs(walk, 60, quiet_execution(), 1), std::runtime_error,
+  CGAL_CHECK_THROWS_WITH(internal::sparse_eigenpairs(walk, 60, quiet_execution(), 1), std::runtime_error,
                     "did not converge");
 }
 
 void impossible_options_are_refused()
 {
-  CHECK_THROWS_WITH(Diffusion_distance(0), std::invalid_argument, "number_of_eigenpairs");
+  CGAL_CHECK_THROWS_WITH(Diffusion_distance(0), std::invalid_argument, "number_of_eigenpairs");
   for (double time : {-1., infinity, std::nan("")})
-    CHECK_THROWS_WITH(Diffusion_distance(5, time), std::invalid_argument, "time");
+    CGAL_CHECK_THROWS_WITH(Diffusion_distance(5, time), std::invalid_argument, "time");
 }
 
 struct Counting_observer : internal::Observer
@@ -286,7 +286,7 @@ void every_product_of_the_eigenvalue_solver_asks()
   {
     const std::size_t questions = observer.questions;
     inverse.perform_op(x.data(), y.data());
-    CHECK_EQUAL(observer.questions, questions + 1);
+    CGAL_CHECK_EQUAL(observer.questions, questions + 1);
   }
 }
 

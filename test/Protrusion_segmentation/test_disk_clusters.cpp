@@ -59,13 +59,13 @@ void clusters_are_connected(const Test_mesh& mesh)
   for (const Index largest_number : {no_limit, Index(50), Index(1)})
   {
     const Clusters clusters = clusters_of(mesh, largest_number);
-    CHECK(clusters.number >= 1 && clusters.number <= largest_number);
-    CHECK_EQUAL(clusters.of_node.size(), graph.number_of_nodes());
+    CGAL_CHECK(clusters.number >= 1 && clusters.number <= largest_number);
+    CGAL_CHECK_EQUAL(clusters.of_node.size(), graph.number_of_nodes());
     std::vector<bool> has_node(clusters.number, false);
     for (const Index cluster : clusters.of_node)
       has_node.at(cluster) = true;
-    CHECK(std::find(has_node.begin(), has_node.end(), false) == has_node.end());
-    CHECK_EQUAL(number_of_pieces(graph, clusters), clusters.number);
+    CGAL_CHECK(std::find(has_node.begin(), has_node.end(), false) == has_node.end());
+    CGAL_CHECK_EQUAL(number_of_pieces(graph, clusters), clusters.number);
   }
 }
 
@@ -74,8 +74,8 @@ void their_number_does_not_depend_on_the_triangles()
 {
   const double coarse = clusters_of(icosphere(5)).number;
   const double fine = clusters_of(icosphere(6)).number;
-  CHECK(coarse > 1200 && coarse < 1700);
-  CHECK(fine > 0.9 * coarse && fine < 1.2 * coarse);
+  CGAL_CHECK(coarse > 1200 && coarse < 1700);
+  CGAL_CHECK(fine > 0.9 * coarse && fine < 1.2 * coarse);
 }
 
 void a_mirrored_shape_has_mirrored_clusters()
@@ -86,7 +86,7 @@ void a_mirrored_shape_has_mirrored_clusters()
     p[0] = -p[0];
   for (Face& face : mirror.faces)
     std::reverse(face.begin() + 1, face.end());
-  CHECK(clusters_of(mesh).of_node == clusters_of(mirror).of_node);
+  CGAL_CHECK(clusters_of(mesh).of_node == clusters_of(mirror).of_node);
 }
 
 // The share of the arcs within clusters that lie between clusters of the other graph, or the other way round.
@@ -112,8 +112,8 @@ void a_moved_vertex_changes_clusters_nearby()
   const Clusters all_moved = clusters_of(jittered(mesh, 0.01 * edge, 1));
   mesh.points[0] = 1.01 * mesh.points[0];
   const Clusters one_moved = clusters_of(mesh);
-  CHECK(difference(graph, clusters, one_moved) < 0.01);
-  CHECK(difference(graph, clusters, all_moved) < 0.1);
+  CGAL_CHECK(difference(graph, clusters, one_moved) < 0.01);
+  CGAL_CHECK(difference(graph, clusters, all_moved) < 0.1);
 }
 
 int main()

@@ -37,27 +37,27 @@ void slots_hold_the_faces_at_their_distances()
     const Distance_histogram histogram(distances);
     const std::size_t few = seed % 20;
     const Slots first_slots(distances, histogram, few);
-    CHECK_EQUAL(tip_slots.number(), number_of_slots);
-    CHECK_EQUAL(first_slots.number(), few);
-    CHECK_EQUAL(histogram.range, *std::max_element(distances.begin(), distances.end()));
-    CHECK_EQUAL(histogram.slot(0), 0);
-    CHECK_EQUAL(histogram.slot(histogram.range), 99);
+    CGAL_CHECK_EQUAL(tip_slots.number(), number_of_slots);
+    CGAL_CHECK_EQUAL(first_slots.number(), few);
+    CGAL_CHECK_EQUAL(histogram.range, *std::max_element(distances.begin(), distances.end()));
+    CGAL_CHECK_EQUAL(histogram.slot(0), 0);
+    CGAL_CHECK_EQUAL(histogram.slot(histogram.range), 99);
 
     std::size_t total = 0;
     const double rounding = 1e-12 * histogram.range;
     for (std::size_t slot = 0; slot < number_of_slots; ++slot)
     {
-      CHECK_EQUAL(tip_slots.faces(slot).size(), histogram.counts[slot]);
-      CHECK(std::is_sorted(tip_slots.faces(slot).begin(), tip_slots.faces(slot).end()));
-      CHECK(slot >= few || tip_slots.faces(slot) == first_slots.faces(slot));
+      CGAL_CHECK_EQUAL(tip_slots.faces(slot).size(), histogram.counts[slot]);
+      CGAL_CHECK(std::is_sorted(tip_slots.faces(slot).begin(), tip_slots.faces(slot).end()));
+      CGAL_CHECK(slot >= few || tip_slots.faces(slot) == first_slots.faces(slot));
       for (const Index f : tip_slots.faces(slot))
       {
-        CHECK(distances[f] >= histogram.slot_begin(slot) - rounding);
-        CHECK(distances[f] < histogram.slot_begin(slot + 1) + (slot == 99 ? 1 : rounding));
+        CGAL_CHECK(distances[f] >= histogram.slot_begin(slot) - rounding);
+        CGAL_CHECK(distances[f] < histogram.slot_begin(slot + 1) + (slot == 99 ? 1 : rounding));
       }
       total += histogram.counts[slot];
     }
-    CHECK_EQUAL(total, distances.size());
+    CGAL_CHECK_EQUAL(total, distances.size());
   }
 }
 
@@ -67,26 +67,26 @@ void counts_on_a_cylinder_are_even()
   const std::size_t slices = 12;
   const Test_mesh mesh = revolution(Profile(0.01).line(1e-3, 0, 1e-3, 4, 0), slices);
   const Indexed_surface surface = to_surface(mesh);
-  CHECK_EQUAL(surface.number_of_faces(), 400 * slices);
+  CGAL_CHECK_EQUAL(surface.number_of_faces(), 400 * slices);
   std::vector<double> distances;
   Shortest_distances shortest(surface);
   shortest(0, distances);
   const Distance_histogram histogram(distances);
-  CHECK_CLOSE(histogram.range, 3.99, 0.01);
+  CGAL_CHECK_CLOSE(histogram.range, 3.99, 0.01);
   for (const Index count : histogram.counts)
-    CHECK_CLOSE(double(count), 4. * slices, 1. * slices);
+    CGAL_CHECK_CLOSE(double(count), 4. * slices, 1. * slices);
 }
 
 void one_distance_fills_one_slot()
 {
   const Distance_histogram single(std::vector<double>(7, 0));
-  CHECK_EQUAL(single.range, 0);
-  CHECK_EQUAL(single.counts[0], 7);
-  CHECK_EQUAL(single.counts[99], 0);
+  CGAL_CHECK_EQUAL(single.range, 0);
+  CGAL_CHECK_EQUAL(single.counts[0], 7);
+  CGAL_CHECK_EQUAL(single.counts[99], 0);
   const Distance_histogram tiny({0, 1e-310, 2e-310}); // not normal numbers
-  CHECK_EQUAL(tiny.counts[0], 1);
-  CHECK_EQUAL(tiny.counts[50], 1);
-  CHECK_EQUAL(tiny.counts[99], 1);
+  CGAL_CHECK_EQUAL(tiny.counts[0], 1);
+  CGAL_CHECK_EQUAL(tiny.counts[50], 1);
+  CGAL_CHECK_EQUAL(tiny.counts[99], 1);
 }
 
 // The smoothed contour of a step at slot 40 rises from slot 37 to slot 42; 5 slots around are taken.
@@ -94,18 +94,18 @@ void a_step_is_one_candidate_interval()
 {
   const std::vector<Slot_interval> intervals = candidate_intervals(
     histogram_with_counts([](std::size_t slot) { return slot < 40 ? 10u : 30u; }));
-  CHECK_EQUAL(intervals.size(), 1);
-  CHECK_EQUAL(intervals.at(0).first, 32);
-  CHECK_EQUAL(intervals.at(0).last, 47);
+  CGAL_CHECK_EQUAL(intervals.size(), 1);
+  CGAL_CHECK_EQUAL(intervals.at(0).first, 32);
+  CGAL_CHECK_EQUAL(intervals.at(0).last, 47);
 }
 
 void candidate_intervals_end_with_the_histogram()
 {
   const std::vector<Slot_interval> intervals = candidate_intervals(
     histogram_with_counts([](std::size_t slot) { return slot < 3 || slot > 96 ? 50u : 10u; }));
-  CHECK_EQUAL(intervals.size(), 2);
-  CHECK_EQUAL(intervals.at(0).first, 0);
-  CHECK_EQUAL(intervals.at(1).last, 99);
+  CGAL_CHECK_EQUAL(intervals.size(), 2);
+  CGAL_CHECK_EQUAL(intervals.at(0).first, 0);
+  CGAL_CHECK_EQUAL(intervals.at(1).last, 99);
 }
 
 void a_narrow_bump_is_one_interval_and_a_wide_one_two()
@@ -115,21 +115,21 @@ void a_narrow_bump_is_one_interval_and_a_wide_one_two()
     return candidate_intervals(
       histogram_with_counts([=](std::size_t slot) { return slot >= first && slot < end ? 50u : 10u; }));
   };
-  CHECK_EQUAL(intervals_of_bump(30, 45).size(), 1); // slots 22 to 37 and 37 to 52
-  CHECK_EQUAL(intervals_of_bump(30, 46).size(), 1); // slots 22 to 37 and 38 to 53
-  CHECK_EQUAL(intervals_of_bump(30, 47).size(), 2);
+  CGAL_CHECK_EQUAL(intervals_of_bump(30, 45).size(), 1); // slots 22 to 37 and 37 to 52
+  CGAL_CHECK_EQUAL(intervals_of_bump(30, 46).size(), 1); // slots 22 to 37 and 38 to 53
+  CGAL_CHECK_EQUAL(intervals_of_bump(30, 47).size(), 2);
 
   const std::vector<Slot_interval> wide = intervals_of_bump(30, 60);
-  CHECK_EQUAL(wide.size(), 2);
-  CHECK_EQUAL(wide.at(0).first, 22);
-  CHECK_EQUAL(wide.at(0).last, 37);
-  CHECK_EQUAL(wide.at(1).first, 52);
-  CHECK_EQUAL(wide.at(1).last, 67);
+  CGAL_CHECK_EQUAL(wide.size(), 2);
+  CGAL_CHECK_EQUAL(wide.at(0).first, 22);
+  CGAL_CHECK_EQUAL(wide.at(0).last, 37);
+  CGAL_CHECK_EQUAL(wide.at(1).first, 52);
+  CGAL_CHECK_EQUAL(wide.at(1).last, 67);
 }
 
 void even_counts_have_no_candidate_interval()
 {
-  CHECK(candidate_intervals(histogram_with_counts([](std::size_t) { return 10u; })).empty());
+  CGAL_CHECK(candidate_intervals(histogram_with_counts([](std::size_t) { return 10u; })).empty());
 }
 
 void moving_averages_shrink_at_the_ends()
@@ -138,11 +138,11 @@ void moving_averages_shrink_at_the_ends()
   for (std::size_t s = 0; s < number_of_slots; ++s)
     values[s] = double(s * s);
   const auto average = moving_average(values, 2);
-  CHECK_CLOSE(average[0], (0 + 1 + 4) / 3., 1e-12);
-  CHECK_CLOSE(average[1], (0 + 1 + 4 + 9) / 4., 1e-12);
-  CHECK_CLOSE(average[50], 50 * 50 + 2, 1e-12);
-  CHECK_CLOSE(average[99], (97 * 97 + 98 * 98 + 99 * 99) / 3., 1e-12);
-  CHECK(moving_average(values, 0) == values);
+  CGAL_CHECK_CLOSE(average[0], (0 + 1 + 4) / 3., 1e-12);
+  CGAL_CHECK_CLOSE(average[1], (0 + 1 + 4 + 9) / 4., 1e-12);
+  CGAL_CHECK_CLOSE(average[50], 50 * 50 + 2, 1e-12);
+  CGAL_CHECK_CLOSE(average[99], (97 * 97 + 98 * 98 + 99 * 99) / 3., 1e-12);
+  CGAL_CHECK(moving_average(values, 0) == values);
 }
 
 int main()

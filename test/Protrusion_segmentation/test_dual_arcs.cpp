@@ -41,14 +41,14 @@ void check_subset(const Dual_arcs& all, const std::vector<Index>& faces)
   for (std::size_t i = 0; i < faces.size(); ++i)
     numbers[faces[i]] = static_cast<Index>(i);
   const Dual_arcs some(all, faces, numbers);
-  CHECK_EQUAL(some.number_of_faces(), faces.size());
+  CGAL_CHECK_EQUAL(some.number_of_faces(), faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     Arcs expected;
     for (const auto& arc : arcs_of(all, faces[i]))
       if (numbers[arc.first] != Indexed_surface::no_face())
         expected.emplace_back(numbers[arc.first], arc.second);
-    CHECK(arcs_of(some, static_cast<Index>(i)) == expected);
+    CGAL_CHECK(arcs_of(some, static_cast<Index>(i)) == expected);
   }
 }
 
@@ -56,10 +56,10 @@ void check_arcs(const Test_mesh& mesh)
 {
   const Indexed_surface surface = to_surface(mesh);
   const Dual_arcs arcs(surface);
-  CHECK_EQUAL(arcs.number_of_faces(), surface.number_of_faces());
+  CGAL_CHECK_EQUAL(arcs.number_of_faces(), surface.number_of_faces());
   const auto expected = surface.dual_graph();
   for (Index f = 0; f < surface.number_of_faces(); ++f)
-    CHECK(arcs_of(arcs, f) == arcs_of(expected, f));
+    CGAL_CHECK(arcs_of(arcs, f) == arcs_of(expected, f));
   std::vector<Index> two_thirds;
   for (Index f = surface.number_of_faces(); f-- > 0;)
     if (f % 3 != 1)

@@ -33,18 +33,18 @@ void seams_lie_where_parts_meet()
       (same ? inside : between) += graph.capacity[arc] / graph.border_length[arc];
       ++(same ? count_inside : count_between);
     }
-  CHECK(count_between > 0);
-  CHECK(between / double(count_between) < 0.7 * inside / double(count_inside));
+  CGAL_CHECK(count_between > 0);
+  CGAL_CHECK(between / double(count_between) < 0.7 * inside / double(count_inside));
   // what is inside is found out from the volume: an inward orientation gives the same weights
-  CHECK_CLOSE(sum(seam_graph(reversed).capacity), sum(graph.capacity), 1e-3);
+  CGAL_CHECK_CLOSE(sum(seam_graph(reversed).capacity), sum(graph.capacity), 1e-3);
 }
 
 void weights_do_not_depend_on_scale()
 {
   const Seam_graph small = seam_graph(scaled(star(3), 0.5));
   const Seam_graph large = seam_graph(scaled(star(3), 64));
-  CHECK(small.capacity == large.capacity);
-  CHECK(small.curvature == large.curvature);
+  CGAL_CHECK(small.capacity == large.capacity);
+  CGAL_CHECK(small.curvature == large.curvature);
 }
 
 // Threads only save time: all weights are the same to the last bit, of a surface so large that it is divided among them.
@@ -54,11 +54,11 @@ void the_number_of_threads_does_not_matter()
   const Indexed_surface surface = to_surface(jittered(icosphere(6), 0.001, 5));
   Execution parallel(0, true);
   const Seam_graph expected = seam_graph(surface), found = seam_graph(surface, parallel);
-  CHECK(found.first_arc == expected.first_arc && found.target == expected.target);
-  CHECK(found.length == expected.length && found.border_length == expected.border_length);
-  CHECK(found.curvature == expected.curvature && found.capacity == expected.capacity);
-  CHECK(found.area == expected.area && found.concave_length == expected.concave_length);
-  CHECK(internal::centres_of_faces(surface, true) == internal::centres_of_faces(surface, false));
+  CGAL_CHECK(found.first_arc == expected.first_arc && found.target == expected.target);
+  CGAL_CHECK(found.length == expected.length && found.border_length == expected.border_length);
+  CGAL_CHECK(found.curvature == expected.curvature && found.capacity == expected.capacity);
+  CGAL_CHECK(found.area == expected.area && found.concave_length == expected.concave_length);
+  CGAL_CHECK(internal::centres_of_faces(surface, true) == internal::centres_of_faces(surface, false));
 #endif
 }
 

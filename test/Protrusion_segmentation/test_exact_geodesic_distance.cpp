@@ -19,7 +19,7 @@ void check_euclidean(const Test_mesh& mesh, Index source)
   std::vector<double> row;
   distances(source, row);
   for (Index f = 0; f < surface.number_of_faces(); ++f)
-    CHECK_CLOSE(row[f], std::sqrt(squared_distance(surface.centroid(source), surface.centroid(f))), 1e-9);
+    CGAL_CHECK_CLOSE(row[f], std::sqrt(squared_distance(surface.centroid(source), surface.centroid(f))), 1e-9);
 }
 
 void distances_on_a_plane_are_euclidean()
@@ -41,7 +41,7 @@ void distances_on_a_cube_are_those_of_its_nets()
     for (Index g = 0; g < 6; ++g)
     {
       const double straight = std::sqrt(squared_distance(surface.centroid(f), surface.centroid(g)));
-      CHECK_CLOSE(d[f][g], f == g ? 0. : straight < 0.9 ? 1. : 2., 1e-9);
+      CGAL_CHECK_CLOSE(d[f][g], f == g ? 0. : straight < 0.9 ? 1. : 2., 1e-9);
     }
 }
 
@@ -57,10 +57,10 @@ void distances_on_a_prism_are_those_of_its_net()
   for (Index f = 0; f < surface.number_of_faces(); ++f)
     if (surface.first_corner(f + 1) - surface.first_corner(f) == 4)
       sides.push_back(f);
-  CHECK_EQUAL(sides.size(), n);
+  CGAL_CHECK_EQUAL(sides.size(), n);
   distances(sides[0], row);
   for (std::size_t i = 0; i < n; ++i)
-    CHECK_CLOSE(row[sides[i]], double((std::min)(i, n - i)) * 2 * std::sin(pi / double(n)), 1e-9);
+    CGAL_CHECK_CLOSE(row[sides[i]], double((std::min)(i, n - i)) * 2 * std::sin(pi / double(n)), 1e-9);
 }
 
 // The mesh lies inside the sphere, by two hundredths.
@@ -78,7 +78,7 @@ void distances_on_a_sphere_are_arcs()
   for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
     const double arc = std::acos((std::max)(-1., (std::min)(1., direction(100) * direction(f))));
-    CHECK_CLOSE(row[f], arc, 0.03 * arc + 1e-9);
+    CGAL_CHECK_CLOSE(row[f], arc, 0.03 * arc + 1e-9);
   }
 }
 
@@ -94,8 +94,8 @@ void no_longer_than_paths_in_the_dual_graph()
     exact_sum += internal::distance_sum(exact[i]);
     dual_sum += internal::distance_sum(dual[i]);
   }
-  CHECK(exact_sum < dual_sum);
-  CHECK(exact_sum > 0.6 * dual_sum);
+  CGAL_CHECK(exact_sum < dual_sum);
+  CGAL_CHECK(exact_sum > 0.6 * dual_sum);
 }
 
 int main()

@@ -36,7 +36,7 @@ void borders_on_faces_keep_the_segments_connected(const Test_mesh& mesh, std::si
     const std::vector<Index> moved = internal::Face_borders(graph, labels, k)(internal::band_of_clusters,
                                                                               quiet_execution());
     check_segments(graph, moved, k);
-    CHECK(cost_of_borders(graph, moved) <= cost_of_borders(graph, labels) * (1 + 1e-6));
+    CGAL_CHECK(cost_of_borders(graph, moved) <= cost_of_borders(graph, labels) * (1 + 1e-6));
   }
 }
 

@@ -39,7 +39,7 @@ void check_faired_parts(const Mesh& mesh,
                         const std::string& name)
 {
   const std::vector<Part> parts = faired_parts(mesh, labels, number);
-  CHECK_EQUAL(parts.size(), number);
+  CGAL_CHECK_EQUAL(parts.size(), number);
   for (std::size_t s = 0; s < parts.size(); ++s)
   {
     const std::string part = name + ": faired part " + std::to_string(s);
@@ -68,7 +68,7 @@ void test_faired_parts()
   const Labels halves = labels_of_halves(ball, 2, 0);
   check_faired_parts(ball, halves, 2, "ball");
   for (const Part& part : faired_parts(ball, halves, 2))
-    CHECK(volume(part) > 0.6 * volume(whole(ball)));
+    CGAL_CHECK(volume(part) > 0.6 * volume(whole(ball)));
   const auto arms = to_graph<Mesh>(star(5));
   Labels labels(arms.number_of_faces());
   const std::size_t number = CGAL::segmentation_via_protrusion_tips(
@@ -100,7 +100,7 @@ void test_faired_parts_of_degenerate_faces()
     ball.point(ball.source(edge)) = ball.point(ball.target(edge));
     check_faired_parts(ball, halves, 2, "edge of no length");
     for (const Part& part : faired_parts(ball, halves, 2))
-      CHECK(volume(part) > 0.6 * volume(whole(ball)));
+      CGAL_CHECK(volume(part) > 0.6 * volume(whole(ball)));
   }
 }
 
@@ -140,7 +140,7 @@ void test_faired_parts_of_any_size()
     {
       for (Mesh::Point& p : part.points)
         p = Mesh::Point(p.x() / size, p.y() / size, p.z() / size);
-      CHECK(volume(part) > 0.6 * volume(whole(to_graph<Mesh>(unit_ball))));
+      CGAL_CHECK(volume(part) > 0.6 * volume(whole(to_graph<Mesh>(unit_ball))));
     }
   }
 }

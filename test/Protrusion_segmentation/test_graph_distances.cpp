@@ -76,9 +76,9 @@ void is_as_defined(const Seam_graph& graph, std::uint_fast32_t seed)
     if (i % 2 == 1)
       seeds.push_back(Index((seeds[0] + 1 + random.index(n - 1)) % n));
     const auto all = expected_order(graph, is_open, seeds, infinity);
-    CHECK(found(seeds, infinity) == all);
+    CGAL_CHECK(found(seeds, infinity) == all);
     for (const double limit : {0., double(all[all.size() / 2].first), double(all.back().first) / 3, 1e30})
-      CHECK(found(seeds, limit) == expected_order(graph, is_open, seeds, limit));
+      CGAL_CHECK(found(seeds, limit) == expected_order(graph, is_open, seeds, limit));
   }
 }
 
@@ -106,7 +106,7 @@ void paths_may_stay_in_a_set(std::uint_fast32_t seed)
     expected.insert(expected.end(), of_set.begin(), of_set.end());
   }
   std::sort(expected.begin(), expected.end());
-  CHECK(found == expected);
+  CGAL_CHECK(found == expected);
 }
 
 // Lengths of all kinds: all the same, so that many nodes are equally near, any, and some that are a million times the mean.

@@ -40,9 +40,9 @@ void both_sides_of_a_cut_are_connected(unsigned int seed)
     const auto first = std::find_if(nodes.begin(), nodes.end(), on_side);
     const std::size_t size = side ? inner.size() : nodes.size() - inner.size();
     if (first != nodes.end())
-      CHECK_EQUAL(partition.connected_nodes(*first, on_side).size(), size);
+      CGAL_CHECK_EQUAL(partition.connected_nodes(*first, on_side).size(), size);
     else
-      CHECK_EQUAL(size, 0);
+      CGAL_CHECK_EQUAL(size, 0);
   }
 }
 
@@ -59,10 +59,10 @@ void connected_nodes_stay_on_their_side(unsigned int seed)
   Nodes connected = partition.connected_nodes(Index(random.index(nodes.size())),
                                               [&](Index i) { return may_be_in[i]; });
   std::sort(connected.begin(), connected.end());
-  CHECK(are_connected(partition, connected));
+  CGAL_CHECK(are_connected(partition, connected));
   const Nodes inner = partition.connect_sides(nodes, connected);
-  CHECK(std::includes(inner.begin(), inner.end(), connected.begin(), connected.end()));
-  CHECK(partition.marked(nodes) == inner);
+  CGAL_CHECK(std::includes(inner.begin(), inner.end(), connected.begin(), connected.end()));
+  CGAL_CHECK(partition.marked(nodes) == inner);
 }
 
 // The arcs of a cut and the nodes along it, against all arcs.
@@ -88,12 +88,12 @@ void cuts_are_walked_along(unsigned int seed)
         outside.insert(j);
       }
   partition.for_each_arc_of_cut(inner, [&](Index arc, Index, Index) { found.insert(arc); });
-  CHECK(found == expected);
+  CGAL_CHECK(found == expected);
   const auto along = partition.nodes_along_cut(inner);
-  CHECK(std::set<Index>(along.first.begin(), along.first.end()) == inside);
-  CHECK(std::set<Index>(along.second.begin(), along.second.end()) == outside);
-  CHECK_EQUAL(along.first.size(), inside.size());
-  CHECK_EQUAL(along.second.size(), outside.size());
+  CGAL_CHECK(std::set<Index>(along.first.begin(), along.first.end()) == inside);
+  CGAL_CHECK(std::set<Index>(along.second.begin(), along.second.end()) == outside);
+  CGAL_CHECK_EQUAL(along.first.size(), inside.size());
+  CGAL_CHECK_EQUAL(along.second.size(), outside.size());
 }
 
 // What is selected anew has nothing marked, and nodes beside it are on no side.
@@ -106,12 +106,12 @@ void one_segment_is_selected()
                           second = {{all.begin() + 30, all.end()}, 0.7};
   partition.select(first);
   partition.mark(first.nodes, {0, 1, 2});
-  CHECK(partition.is_inner(0) && partition.is_outer(39) && !partition.is_selected(40));
-  CHECK(internal::other_side(first, {0, 1, 2}) == Nodes(all.begin() + 3, all.begin() + 40));
+  CGAL_CHECK(partition.is_inner(0) && partition.is_outer(39) && !partition.is_selected(40));
+  CGAL_CHECK(internal::other_side(first, {0, 1, 2}) == Nodes(all.begin() + 3, all.begin() + 40));
   partition.select(second);
-  CHECK(!partition.is_selected(0) && partition.is_outer(30) && partition.marked(all).empty());
+  CGAL_CHECK(!partition.is_selected(0) && partition.is_outer(30) && partition.marked(all).empty());
   partition.select(first);
-  CHECK(partition.marked(all).empty() && partition.is_outer(0) && !partition.is_selected(40));
+  CGAL_CHECK(partition.marked(all).empty() && partition.is_outer(0) && !partition.is_selected(40));
 }
 
 int main()

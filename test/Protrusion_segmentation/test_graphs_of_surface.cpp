@@ -34,8 +34,8 @@ void a_large_surface_has_as_many_nodes()
 {
   const Indexed_surface surface = to_surface(icosphere(7)); // 327,680 faces
   const Graphs_of_surface graphs = graphs_of(surface);
-  CHECK(graphs.groups.has_value());
-  CHECK(graphs.coarse.number_of_nodes() > 1200 && graphs.coarse.number_of_nodes() < 1700);
+  CGAL_CHECK(graphs.groups.has_value());
+  CGAL_CHECK(graphs.coarse.number_of_nodes() > 1200 && graphs.coarse.number_of_nodes() < 1700);
   check_segments(graphs.fine, graphs.node_of_face, graphs.coarse.number_of_nodes());
   check_segments(graphs.fine, graphs.group_of_face, graphs.groups->number_of_nodes());
 }
@@ -43,9 +43,9 @@ void a_large_surface_has_as_many_nodes()
 void a_small_surface_stays_as_it_is()
 {
   const Graphs_of_surface graphs = graphs_of(to_surface(icosphere(2)));
-  CHECK(!graphs.groups.has_value());
-  CHECK_EQUAL(graphs.coarse.number_of_nodes(), icosphere(2).faces.size());
-  CHECK(graphs.node_of_face == all_nodes(graphs.fine));
+  CGAL_CHECK(!graphs.groups.has_value());
+  CGAL_CHECK_EQUAL(graphs.coarse.number_of_nodes(), icosphere(2).faces.size());
+  CGAL_CHECK(graphs.node_of_face == all_nodes(graphs.fine));
 }
 
 // A box whose edges have further vertices: two of its faces share several edges each.
@@ -85,18 +85,18 @@ void check_single_arcs(const Volume_graph& graph)
   std::map<std::pair<Index, Index>, Index> arcs;
   for (Index i = 0; i < graph.number_of_nodes(); ++i)
     for (const Index arc : graph.arcs(i))
-      CHECK(arcs.emplace(std::make_pair(i, graph.target[arc]), arc).second);
+      CGAL_CHECK(arcs.emplace(std::make_pair(i, graph.target[arc]), arc).second);
   for (const auto& [ends, arc] : arcs)
   {
     const auto back = arcs.find({ends.second, ends.first});
-    CHECK(back != arcs.end());
+    CGAL_CHECK(back != arcs.end());
     if (back == arcs.end())
       continue;
-    CHECK_EQUAL(graph.border_length[arc], graph.border_length[back->second]);
-    CHECK_EQUAL(graph.concave_length[arc], graph.concave_length[back->second]);
-    CHECK_EQUAL(graph.capacity[arc], graph.capacity[back->second]);
-    CHECK_EQUAL(graph.length[arc], graph.length[back->second]);
-    CHECK_CLOSE(graph.curvature[arc], graph.curvature[back->second],
+    CGAL_CHECK_EQUAL(graph.border_length[arc], graph.border_length[back->second]);
+    CGAL_CHECK_EQUAL(graph.concave_length[arc], graph.concave_length[back->second]);
+    CGAL_CHECK_EQUAL(graph.capacity[arc], graph.capacity[back->second]);
+    CGAL_CHECK_EQUAL(graph.length[arc], graph.length[back->second]);
+    CGAL_CHECK_CLOSE(graph.curvature[arc], graph.curvature[back->second],
                 1e-5 * (1 + std::abs(graph.curvature[arc])));
   }
 }
@@ -107,11 +107,11 @@ void faces_may_share_several_edges()
   for (const std::size_t number : {0, 1, 2, 5})
   {
     const Graphs_of_surface graphs = graphs_of(to_surface(box_with_divided_edges(number)));
-    CHECK_EQUAL(graphs.coarse.number_of_nodes(), 6u);
-    CHECK_EQUAL(graphs.coarse.target.size(), 24u);
+    CGAL_CHECK_EQUAL(graphs.coarse.number_of_nodes(), 6u);
+    CGAL_CHECK_EQUAL(graphs.coarse.target.size(), 24u);
     check_single_arcs(graphs.coarse);
     for (const float length : graphs.coarse.border_length)
-      CHECK_CLOSE(length, 1 / std::sqrt(6.), 1e-6);
+      CGAL_CHECK_CLOSE(length, 1 / std::sqrt(6.), 1e-6);
   }
 }
 

@@ -25,7 +25,7 @@ void distances_on_a_plane_are_euclidean()
     for (Index f = 0; f < surface.number_of_faces(); ++f)
     {
       const double d = std::sqrt(squared_distance(surface.centroid(source), surface.centroid(f)));
-      CHECK_CLOSE(row[f], d, 0.06 * d + 1);
+      CGAL_CHECK_CLOSE(row[f], d, 0.06 * d + 1);
     }
   }
 }
@@ -46,7 +46,7 @@ void distances_on_a_sphere_are_arcs()
     for (Index f = 0; f < surface.number_of_faces(); ++f)
     {
       const double arc = std::acos((std::max)(-1., (std::min)(1., direction(source) * direction(f))));
-      CHECK_CLOSE(row[f], arc, 0.03 * arc + 0.06);
+      CGAL_CHECK_CLOSE(row[f], arc, 0.03 * arc + 0.06);
     }
   }
 }
@@ -64,7 +64,7 @@ void distances_on_a_cylinder_are_those_of_its_net()
     const Indexed_surface::Point_3 p = surface.centroid(f);
     const double turn = std::abs(std::atan2(p.y(), p.x()) - std::atan2(source.y(), source.x()));
     const double d = std::hypot((std::min)(turn, 2 * pi - turn), p.z() - source.z());
-    CHECK_CLOSE(row[f], d, 0.06 * d + 0.1);
+    CGAL_CHECK_CLOSE(row[f], d, 0.06 * d + 0.1);
   }
 }
 
@@ -76,7 +76,7 @@ void where_the_heat_does_not_reach_distances_are_those_of_the_dual_graph()
   std::vector<double> row, in_dual_graph;
   Heat_distance().on(surface, quiet_execution())(0, row);
   Geodesic_distance().on(surface, quiet_execution())(0, in_dual_graph);
-  CHECK(row == in_dual_graph);
+  CGAL_CHECK(row == in_dual_graph);
 }
 
 int main()

@@ -27,7 +27,7 @@ void without_others_the_order_stays()
   Joining_order joining(tree, {0, 2, 1, 3});
   while (joining.number_left() > 1)
     joining.join_last();
-  CHECK(joining() == (std::vector<Index>{0, 2, 1, 3}));
+  CGAL_CHECK(joining() == (std::vector<Index>{0, 2, 1, 3}));
 }
 
 // The others join arm 1 first, and then arm 3.
@@ -37,8 +37,8 @@ void the_order_is_that_of_others()
   Joining_order joining(tree, {0, 1, 2, 3});
   joining.join_for({{3, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   joining.join_for({{3, 0}, {1, 0}, {0, 1}, {1, 0}});
-  CHECK_EQUAL(joining.number_left(), 2u);
-  CHECK(joining() == (std::vector<Index>{0, 2, 3, 1}));
+  CGAL_CHECK_EQUAL(joining.number_left(), 2u);
+  CGAL_CHECK(joining() == (std::vector<Index>{0, 2, 3, 1}));
 }
 
 // The share of pairs that are together in one of the two only.
@@ -102,13 +102,13 @@ void each_step_has_the_least_error(std::uint_fast32_t seed)
       least = (std::min)(least, rand_index_error(joined(labels, tried, left - 1, tree), other));
     }
     joining.join_for(overlaps);
-    CHECK_EQUAL(rand_index_error(joined(labels, joining(), left - 1, tree), other), least);
+    CGAL_CHECK_EQUAL(rand_index_error(joined(labels, joining(), left - 1, tree), other), least);
   }
   std::vector<Index> all = joining();
-  CHECK_EQUAL(all.front(), tree.body());
+  CGAL_CHECK_EQUAL(all.front(), tree.body());
   std::sort(all.begin(), all.end());
   std::sort(order.begin(), order.end());
-  CHECK(all == order);
+  CGAL_CHECK(all == order);
 }
 
 int main()

@@ -53,33 +53,33 @@ void the_least_value_on_the_way_counts()
 {
   const Record borders =
     record_of({protrusion(2, 0, 0.3, 0.9), protrusion(3, 0, 0.1, 0.8), protrusion(4, 2, 0.2, 0.7)});
-  CHECK_EQUAL(borders.value(0, 2).value(), 0.3);
-  CHECK_EQUAL(borders.value(2, 0).value(), 0.3);
-  CHECK_EQUAL(borders.value(4, 0).value(), 0.2);
-  CHECK_EQUAL(borders.value(4, 3).value(), 0.1);
-  CHECK(!borders.value(2, 2));
-  CHECK(!borders.value(1, 2));
-  CHECK_EQUAL(borders.probability(4, 3).value(), 0.7);
-  CHECK_EQUAL(borders.probability(0, 3).value(), 0.8);
-  CHECK(!borders.probability(1, 3));
-  CHECK(!borders.probability(3, 3));
-  CHECK_EQUAL(borders.least_value(0).value(), 0.1);
-  CHECK(!borders.least_value(1));
-  CHECK_EQUAL(borders.least_value(2).value(), 0.2);
-  CHECK_EQUAL(borders.least_value(4).value(), 0.2);
-  CHECK_EQUAL(borders.least_probability(2).value(), 0.7);
-  CHECK(!borders.least_probability(1));
+  CGAL_CHECK_EQUAL(borders.value(0, 2).value(), 0.3);
+  CGAL_CHECK_EQUAL(borders.value(2, 0).value(), 0.3);
+  CGAL_CHECK_EQUAL(borders.value(4, 0).value(), 0.2);
+  CGAL_CHECK_EQUAL(borders.value(4, 3).value(), 0.1);
+  CGAL_CHECK(!borders.value(2, 2));
+  CGAL_CHECK(!borders.value(1, 2));
+  CGAL_CHECK_EQUAL(borders.probability(4, 3).value(), 0.7);
+  CGAL_CHECK_EQUAL(borders.probability(0, 3).value(), 0.8);
+  CGAL_CHECK(!borders.probability(1, 3));
+  CGAL_CHECK(!borders.probability(3, 3));
+  CGAL_CHECK_EQUAL(borders.least_value(0).value(), 0.1);
+  CGAL_CHECK(!borders.least_value(1));
+  CGAL_CHECK_EQUAL(borders.least_value(2).value(), 0.2);
+  CGAL_CHECK_EQUAL(borders.least_value(4).value(), 0.2);
+  CGAL_CHECK_EQUAL(borders.least_probability(2).value(), 0.7);
+  CGAL_CHECK(!borders.least_probability(1));
 }
 
 void there_may_be_no_borders_and_no_probabilities()
 {
   const Record none;
-  CHECK(!none.least_value(0));
-  CHECK(!none.value(0, 1));
+  CGAL_CHECK(!none.least_value(0));
+  CGAL_CHECK(!none.value(0, 1));
   const Record borders = record_of({protrusion(1, 0, 0.5, std::nullopt)});
-  CHECK_EQUAL(borders.value(0, 1).value(), 0.5);
-  CHECK(!borders.probability(0, 1));
-  CHECK(!borders.least_probability(1));
+  CGAL_CHECK_EQUAL(borders.value(0, 1).value(), 0.5);
+  CGAL_CHECK(!borders.probability(0, 1));
+  CGAL_CHECK(!borders.least_probability(1));
 }
 
 struct Found
@@ -106,24 +106,24 @@ Found segmented(const Test_mesh& soup, std::size_t k, const Method& method)
 void the_default_method_tells_probabilities()
 {
   const Found found = segmented(creature(), 7, PS::Minimum_cut_method());
-  CHECK(found.record.protrusions().size() > 2);
+  CGAL_CHECK(found.record.protrusions().size() > 2);
   for (const auto& protrusion : found.record.protrusions())
   {
-    CHECK(protrusion.probability.has_value());
-    CHECK(*protrusion.probability > 0 && *protrusion.probability < 1);
-    CHECK_EQUAL(protrusion.value > 0, *protrusion.probability > 0.5);
-    CHECK(std::abs(protrusion.value) <= std::abs(*protrusion.probability - 0.5));
+    CGAL_CHECK(protrusion.probability.has_value());
+    CGAL_CHECK(*protrusion.probability > 0 && *protrusion.probability < 1);
+    CGAL_CHECK_EQUAL(protrusion.value > 0, *protrusion.probability > 0.5);
+    CGAL_CHECK(std::abs(protrusion.value) <= std::abs(*protrusion.probability - 0.5));
   }
 }
 
 void the_method_of_the_paper_tells_values_only()
 {
   const Found found = segmented(star(5), 6, PS::Histogram_method());
-  CHECK_EQUAL(found.record.protrusions().size(), 5);
+  CGAL_CHECK_EQUAL(found.record.protrusions().size(), 5);
   for (const auto& protrusion : found.record.protrusions())
   {
-    CHECK(protrusion.value > 0);
-    CHECK(!protrusion.probability);
+    CGAL_CHECK(protrusion.value > 0);
+    CGAL_CHECK(!protrusion.probability);
   }
 }
 
@@ -147,7 +147,7 @@ void check_confidence(const Found& found, Sureness sureness)
     for (const auto& protrusion : found.record.protrusions())
       if (protrusion.segment == found.segments[f] || protrusion.parent == found.segments[f])
         least = (std::min)(least, sureness(protrusion));
-    CHECK_EQUAL(confidence[f], least);
+    CGAL_CHECK_EQUAL(confidence[f], least);
   }
 }
 
@@ -166,7 +166,7 @@ void confidence_is_the_least_value_without_probabilities()
 void a_segment_without_a_border_is_beyond_doubt()
 {
   for (const double confidence : confidence_of(segmented(star(5), 1, PS::Minimum_cut_method())))
-    CHECK_EQUAL(confidence, infinity);
+    CGAL_CHECK_EQUAL(confidence, infinity);
 }
 
 // The value of the weakest arm falls with their number; its probability does not.
@@ -174,7 +174,7 @@ void equal_arms_are_equally_sure()
 {
   const Found found = segmented(star(8), 9, PS::Minimum_cut_method());
   const std::vector<double> confidence = confidence_of(found);
-  CHECK(*std::min_element(confidence.begin(), confidence.end()) > 0.5);
+  CGAL_CHECK(*std::min_element(confidence.begin(), confidence.end()) > 0.5);
 }
 
 int main()

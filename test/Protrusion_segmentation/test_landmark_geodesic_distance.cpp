@@ -46,7 +46,7 @@ void check_definition(const Indexed_surface& surface, std::size_t number_of_land
   Execution execution(seed);
   auto distances =
     Landmark_geodesic_distance::with_number_of_landmarks(number_of_landmarks).on(surface, execution);
-  CHECK_EQUAL(distances.number_of_runs(), landmarks.size());
+  CGAL_CHECK_EQUAL(distances.number_of_runs(), landmarks.size());
 
   double largest = 0;
   std::vector<double> row;
@@ -56,10 +56,10 @@ void check_definition(const Indexed_surface& surface, std::size_t number_of_land
     double error = 0;
     for (Index j = 0; j < surface.number_of_faces(); ++j)
       error = (std::max)(error, std::abs(row[j] - expected[i][j]));
-    CHECK(error < 1e-12);
+    CGAL_CHECK(error < 1e-12);
     largest = (std::max)(largest, sum(expected[i]));
   }
-  CHECK_CLOSE(sum(expected[distances.face_of_largest_sum()]), largest, 1e-11 * largest);
+  CGAL_CHECK_CLOSE(sum(expected[distances.face_of_largest_sum()]), largest, 1e-11 * largest);
 }
 
 void distances_and_sums_follow_the_definition()
@@ -85,7 +85,7 @@ void all_faces_as_landmarks_give_the_geodesic_distance()
   std::vector<double> row;
   distances(7, row);
   for (Index j = 0; j < surface.number_of_faces(); ++j)
-    CHECK_CLOSE(row[j], geodesic[7][j], 1e-12);
+    CGAL_CHECK_CLOSE(row[j], geodesic[7][j], 1e-12);
 }
 
 void landmarks_are_different_faces_and_follow_the_seed()
@@ -93,20 +93,20 @@ void landmarks_are_different_faces_and_follow_the_seed()
   for (unsigned int seed = 0; seed < 20; ++seed)
   {
     const std::vector<Index> landmarks = internal::select_landmarks(1000, 50, seed);
-    CHECK_EQUAL(landmarks.size(), 50);
-    CHECK(std::is_sorted(landmarks.begin(), landmarks.end()));
-    CHECK(std::adjacent_find(landmarks.begin(), landmarks.end()) == landmarks.end());
-    CHECK(landmarks.back() < 1000);
-    CHECK(landmarks == internal::select_landmarks(1000, 50, seed));
-    CHECK(landmarks != internal::select_landmarks(1000, 50, seed + 1));
+    CGAL_CHECK_EQUAL(landmarks.size(), 50);
+    CGAL_CHECK(std::is_sorted(landmarks.begin(), landmarks.end()));
+    CGAL_CHECK(std::adjacent_find(landmarks.begin(), landmarks.end()) == landmarks.end());
+    CGAL_CHECK(landmarks.back() < 1000);
+    CGAL_CHECK(landmarks == internal::select_landmarks(1000, 50, seed));
+    CGAL_CHECK(landmarks != internal::select_landmarks(1000, 50, seed + 1));
   }
-  CHECK_EQUAL(internal::select_landmarks(7, 100, 0).size(), 7);
+  CGAL_CHECK_EQUAL(internal::select_landmarks(7, 100, 0).size(), 7);
 }
 
 // The standard fixes the numbers of std::mt19937: the same landmarks on every machine.
 void landmarks_are_the_same_everywhere()
 {
-  CHECK(internal::select_landmarks(1000, 5, 0) == (std::vector<Index>{548, 593, 604, 715, 844}));
+  CGAL_CHECK(internal::select_landmarks(1000, 5, 0) == (std::vector<Index>{548, 593, 604, 715, 844}));
 }
 
 // Every face is drawn about as often as every other.
@@ -117,26 +117,26 @@ void landmarks_are_spread_evenly()
     for (const Index f : internal::select_landmarks(20, 5, seed))
       ++drawn[f];
   for (const int n : drawn)
-    CHECK_CLOSE(n, 500, 100); // 5 standard deviations
+    CGAL_CHECK_CLOSE(n, 500, 100); // 5 standard deviations
 }
 
 void options_choose_the_number_of_landmarks()
 {
   const Indexed_surface surface = to_surface(icosphere(2)); // 320 faces
-  CHECK_EQUAL(Landmark_geodesic_distance().on(surface, quiet_execution()).number_of_runs(), 16);
-  CHECK_EQUAL(Landmark_geodesic_distance(0.1).on(surface, quiet_execution()).number_of_runs(), 32);
-  CHECK_EQUAL(Landmark_geodesic_distance(1).on(surface, quiet_execution()).number_of_runs(), 320);
-  CHECK_EQUAL(Landmark_geodesic_distance(1e-9).on(surface, quiet_execution()).number_of_runs(), 1);
+  CGAL_CHECK_EQUAL(Landmark_geodesic_distance().on(surface, quiet_execution()).number_of_runs(), 16);
+  CGAL_CHECK_EQUAL(Landmark_geodesic_distance(0.1).on(surface, quiet_execution()).number_of_runs(), 32);
+  CGAL_CHECK_EQUAL(Landmark_geodesic_distance(1).on(surface, quiet_execution()).number_of_runs(), 320);
+  CGAL_CHECK_EQUAL(Landmark_geodesic_distance(1e-9).on(surface, quiet_execution()).number_of_runs(), 1);
   const auto with_number = Landmark_geodesic_distance::with_number_of_landmarks;
-  CHECK_EQUAL(with_number(1).on(surface, quiet_execution()).number_of_runs(), 1);
-  CHECK_EQUAL(with_number(1000).on(surface, quiet_execution()).number_of_runs(), 320);
+  CGAL_CHECK_EQUAL(with_number(1).on(surface, quiet_execution()).number_of_runs(), 1);
+  CGAL_CHECK_EQUAL(with_number(1000).on(surface, quiet_execution()).number_of_runs(), 320);
 }
 
 void impossible_options_are_refused()
 {
   for (double fraction : {0., -0.1, 1.5, infinity, std::nan("")})
-    CHECK_THROWS_WITH(Landmark_geodesic_distance(fraction), std::invalid_argument, "fraction");
-  CHECK_THROWS_WITH(Landmark_geodesic_distance::with_number_of_landmarks(0), std::invalid_argument,
+    CGAL_CHECK_THROWS_WITH(Landmark_geodesic_distance(fraction), std::invalid_argument, "fraction");
+  CGAL_CHECK_THROWS_WITH(Landmark_geodesic_distance::with_number_of_landmarks(0), std::invalid_argument,
                     "number of landmarks");
 }
 

@@ -36,8 +36,8 @@ void check_same_face(const Indexed_surface& surface)
   internal::Shortest_distances distances(surface);
   const Index expected = internal::largest_distance_sum_of_all_pairs(surface, distances,
                                                                      quiet_execution());
-  CHECK_EQUAL(distances.number_of_runs(), surface.number_of_faces());
-  CHECK_EQUAL(Geodesic_distance().on(surface, quiet_execution()).face_of_largest_sum(), expected);
+  CGAL_CHECK_EQUAL(distances.number_of_runs(), surface.number_of_faces());
+  CGAL_CHECK_EQUAL(Geodesic_distance().on(surface, quiet_execution()).face_of_largest_sum(), expected);
 }
 
 void check_same_face(const Test_mesh& mesh)
@@ -54,13 +54,13 @@ void all_pairs_take_the_lowest_of_the_largest_sums()
     sums.push_back(internal::distance_sum(row));
   auto distances = Geodesic_distance().on(surface, quiet_execution());
   const auto largest = std::max_element(sums.begin(), sums.end());
-  CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(surface, distances, quiet_execution()),
+  CGAL_CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(surface, distances, quiet_execution()),
               largest - sums.begin());
 
   // Exact sums: both ends of a strip of unit squares tie.
   const Indexed_surface strip = to_surface(sheet(16, 1));
   auto on_strip = Geodesic_distance().on(strip, quiet_execution());
-  CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(strip, on_strip, quiet_execution()), 0);
+  CGAL_CHECK_EQUAL(internal::largest_distance_sum_of_all_pairs(strip, on_strip, quiet_execution()), 0);
 }
 
 void same_face_as_all_pairs_on_random_surfaces()
@@ -120,9 +120,9 @@ void the_number_of_threads_does_not_matter()
       const Geodesic_distance distance = Geodesic_distance().maximum_number_of_visits(most);
       auto expected = distance.on(surface, quiet_execution());
       auto found = distance.on(surface, parallel);
-      CHECK_EQUAL(found.face_of_largest_sum(), expected.face_of_largest_sum());
-      CHECK_EQUAL(found.number_of_runs(), expected.number_of_runs());
-      CHECK(found.number_of_runs() <= most);
+      CGAL_CHECK_EQUAL(found.face_of_largest_sum(), expected.face_of_largest_sum());
+      CGAL_CHECK_EQUAL(found.number_of_runs(), expected.number_of_runs());
+      CGAL_CHECK(found.number_of_runs() <= most);
     }
 #endif
 }
@@ -140,7 +140,7 @@ void faces_in_one_point_need_one_run()
 {
   const Test_mesh point = scaled(icosphere(3), 0);
   check_same_face(point);
-  CHECK_EQUAL(runs_of_search(to_surface(point)), 1);
+  CGAL_CHECK_EQUAL(runs_of_search(to_surface(point)), 1);
 }
 
 // On a sphere with bumps all sums are alike.
@@ -148,24 +148,24 @@ void the_number_of_visits_can_be_limited()
 {
   const Indexed_surface surface = to_surface(bumpy_sphere(3, 1));
   Geodesic_distance distance;
-  CHECK_EQUAL(distance.maximum_number_of_visits(2).maximum_number_of_visits().value(), 2);
+  CGAL_CHECK_EQUAL(distance.maximum_number_of_visits(2).maximum_number_of_visits().value(), 2);
   auto distances = distance.on(surface, quiet_execution());
-  CHECK(distances.face_of_largest_sum() < surface.number_of_faces());
-  CHECK_EQUAL(distances.number_of_runs(), 2);
-  CHECK_THROWS_WITH(distance.maximum_number_of_visits(0), std::invalid_argument,
+  CGAL_CHECK(distances.face_of_largest_sum() < surface.number_of_faces());
+  CGAL_CHECK_EQUAL(distances.number_of_runs(), 2);
+  CGAL_CHECK_THROWS_WITH(distance.maximum_number_of_visits(0), std::invalid_argument,
                     "maximum_number_of_visits is 0");
-  CHECK_EQUAL(distance.maximum_number_of_visits().value(), 2);
+  CGAL_CHECK_EQUAL(distance.maximum_number_of_visits().value(), 2);
 }
 
 // As many visits as scan twenty million faces; on a sphere, where all sums are alike, three times as many would prove that the
 // face is the best one.
 void large_round_bodies_take_no_undue_time()
 {
-  CHECK(!Geodesic_distance().maximum_number_of_visits());
+  CGAL_CHECK(!Geodesic_distance().maximum_number_of_visits());
   const Indexed_surface sphere = to_surface(icosphere(6));
   auto distances = Geodesic_distance().on(sphere, quiet_execution());
   distances.face_of_largest_sum();
-  CHECK_EQUAL(distances.number_of_runs(), 20000000 / sphere.number_of_faces());
+  CGAL_CHECK_EQUAL(distances.number_of_runs(), 20000000 / sphere.number_of_faces());
 }
 
 // A guard that needs no timing. The limits are the counts measured when this was written and a tenth
@@ -177,7 +177,7 @@ void few_runs_on_large_meshes()
     const Indexed_surface surface = to_surface(mesh);
     const std::size_t runs = runs_of_search(surface);
     std::cout << surface.number_of_faces() << " faces: " << runs << " runs\n";
-    CHECK(runs <= most);
+    CGAL_CHECK(runs <= most);
   };
   check_runs(bumpy_sphere(5, 1), 54);
   check_runs(bumpy_sphere(6, 1), 112);
@@ -196,13 +196,13 @@ void the_distances_from_the_face_take_no_further_run()
   const std::size_t runs = distances.number_of_runs();
   std::vector<double> first, second, expected;
   distances(face, first);
-  CHECK_EQUAL(distances.number_of_runs(), runs);
+  CGAL_CHECK_EQUAL(distances.number_of_runs(), runs);
   distances(face, second, 1e9);
-  CHECK_EQUAL(distances.number_of_runs(), runs + 1);
+  CGAL_CHECK_EQUAL(distances.number_of_runs(), runs + 1);
   internal::Shortest_distances shortest_distances(surface);
   shortest_distances(face, expected);
-  CHECK(first == expected);
-  CHECK(second == expected);
+  CGAL_CHECK(first == expected);
+  CGAL_CHECK(second == expected);
 }
 
 // However many faces were visited and however large they are, no bound is below its sum; that of a visited face is nearly
@@ -225,12 +225,12 @@ void joint_bounds_are_bounds(double size)
       distances(source, from_face);
       bounds.add(from_face);
       for (Index f = 0; f < surface.number_of_faces(); ++f)
-        CHECK(bounds(f) >= sums[f] * (1 - 1e-12));
+        CGAL_CHECK(bounds(f) >= sums[f] * (1 - 1e-12));
       if (bounds.number_of_sources() == 1)
-        CHECK(bounds(source) <= sums[source] * (1 + 1e-6));
+        CGAL_CHECK(bounds(source) <= sums[source] * (1 + 1e-6));
     }
-    CHECK(bounds.number_of_sources() > 0);
-    CHECK(bounds.middle() < surface.number_of_faces());
+    CGAL_CHECK(bounds.number_of_sources() > 0);
+    CGAL_CHECK(bounds.middle() < surface.number_of_faces());
   }
 }
 
@@ -241,12 +241,12 @@ void same_face_as_all_pairs_on_models(const std::filesystem::path& folder)
   for (const auto& entry : std::filesystem::directory_iterator(folder / "off"))
     files.emplace_back(entry.file_size(), entry.path());
   std::sort(files.begin(), files.end());
-  CHECK(files.size() >= 10);
+  CGAL_CHECK(files.size() >= 10);
   files.resize(std::min<std::size_t>(files.size(), 10));
   for (const auto& [size, file] : files)
   {
     CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
-    CHECK(CGAL::IO::read_polygon_mesh(file.string(), mesh));
+    CGAL_CHECK(CGAL::IO::read_polygon_mesh(file.string(), mesh));
     const internal::Canonical_surface canonical(internal::read_arrays(mesh, CGAL::parameters::default_values()));
     const Indexed_surface& surface = canonical.surface();
     std::cout << file.filename().string() << ", ";

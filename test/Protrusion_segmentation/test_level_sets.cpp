@@ -54,7 +54,7 @@ void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
                   Nodes(1, tip % graph.number_of_nodes()), [](Index, Index) { return true; },
                   graph.seam_lengths())
                   .nodes;
-  CHECK_EQUAL(order.size(), graph.number_of_nodes());
+  CGAL_CHECK_EQUAL(order.size(), graph.number_of_nodes());
   const internal::Graph_partition partition(graph);
   internal::Level_set_sweep sweep(graph);
   for (int direction = 0; direction < 2; ++direction)
@@ -64,7 +64,7 @@ void sweeps_find_the_best_level_set(const Test_mesh& mesh, Index tip)
       best = (std::min)(best, level_set.relative_cost);
     const double expected = best_component(graph, order);
     if (expected < infinity)
-      CHECK_CLOSE(best, expected, 1e-6 * (1 + expected));
+      CGAL_CHECK_CLOSE(best, expected, 1e-6 * (1 + expected));
     std::reverse(order.begin(), order.end());
   }
 }

@@ -72,13 +72,13 @@ void agrees_with_a_walk_over_all(const Test_mesh& mesh)
       const Nodes nodes = side(partition, inner);
       const bool is_connected = !nodes.empty() && are_connected(partition, nodes);
       const bool is_seen = connectivity.is_connected(inner, changed);
-      CHECK(is_connected || !is_seen);
+      CGAL_CHECK(is_connected || !is_seen);
       connected += is_connected;
       seen += is_seen;
     }
   }
-  CHECK(n < 500 || connected > 50);
-  CHECK(2 * seen >= connected); // else it is of no use
+  CGAL_CHECK(n < 500 || connected > 50);
+  CGAL_CHECK(2 * seen >= connected); // else it is of no use
 }
 
 // A disc may leave a torus; a face of it that comes back alone is seen to be no part of the rest.
@@ -91,10 +91,10 @@ void an_island_is_not_connected()
   const std::size_t size = order.size() / 10;
   for (std::size_t k = 0; k < size; ++k)
     partition.set_inner(order[k], true);
-  CHECK(connectivity.is_connected(false, {order.begin(), order.begin() + std::ptrdiff_t(size)}));
+  CGAL_CHECK(connectivity.is_connected(false, {order.begin(), order.begin() + std::ptrdiff_t(size)}));
   partition.set_inner(0, false);
-  CHECK(!connectivity.is_connected(false, {0}));
-  CHECK(connectivity.is_connected(true, {0}));
+  CGAL_CHECK(!connectivity.is_connected(false, {0}));
+  CGAL_CHECK(connectivity.is_connected(true, {0}));
 }
 
 int main()

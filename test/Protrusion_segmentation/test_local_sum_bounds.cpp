@@ -56,8 +56,8 @@ std::size_t check_bounds(const Indexed_surface& surface, const Visit& visit, Ind
   std::size_t number_of_closer_ones = 0;
   for (Index f = 0; f < surface.number_of_faces(); f += step)
   {
-    CHECK(visit.lowered[f] >= sum_from(distances, f));
-    CHECK(visit.lowered[f] <= visit.by_triangle_inequality[f]);
+    CGAL_CHECK(visit.lowered[f] >= sum_from(distances, f));
+    CGAL_CHECK(visit.lowered[f] <= visit.by_triangle_inequality[f]);
     number_of_closer_ones += visit.lowered[f] < visit.by_triangle_inequality[f];
   }
   return number_of_closer_ones;
@@ -72,7 +72,7 @@ void bounds_are_bounds()
     number_of_closer_ones += check_bounds(
       surface, visit(surface, static_cast<Index>(seed % surface.number_of_faces())), 1);
   }
-  CHECK(number_of_closer_ones > 100);
+  CGAL_CHECK(number_of_closer_ones > 100);
 }
 
 // What is known to be too small is not looked at.
@@ -83,7 +83,7 @@ void without_a_candidate_nothing_is_lowered()
   std::vector<double> from_face, bounds(surface.number_of_faces(), 1);
   distances(5, from_face);
   Local_sum_bounds(surface.number_of_faces(), rounding).lower(distances, from_face, 2, 2, bounds);
-  CHECK(bounds == std::vector<double>(surface.number_of_faces(), 1));
+  CGAL_CHECK(bounds == std::vector<double>(surface.number_of_faces(), 1));
 }
 
 // In a ball of a 32nd of the surface.
@@ -94,8 +94,8 @@ void only_faces_near_the_visited_one_are_looked_at()
   std::size_t number_of_closer_ones = 0;
   for (Index f = 0; f < surface.number_of_faces(); ++f)
     number_of_closer_ones += result.lowered[f] < result.by_triangle_inequality[f];
-  CHECK(number_of_closer_ones > 0);
-  CHECK(number_of_closer_ones <= surface.number_of_faces() / 32);
+  CGAL_CHECK(number_of_closer_ones > 0);
+  CGAL_CHECK(number_of_closer_ones <= surface.number_of_faces() / 32);
   check_bounds(surface, result, 1000);
 }
 

@@ -41,7 +41,7 @@ void minimum_cuts_are_minimal(unsigned int seed)
 
   std::vector<Index> number(n, Indexed_surface::no_face());
   internal::Band_network network(partition, band, number);
-  CHECK(
+  CGAL_CHECK(
     std::all_of(number.begin(), number.end(), [](Index i) { return i == Indexed_surface::no_face(); }));
   if (!network.has_terminals())
     return;
@@ -58,7 +58,7 @@ void minimum_cuts_are_minimal(unsigned int seed)
       candidate[band[i]] = (subset >> i) & 1;
     least = (std::min)(least, cost_of(graph, candidate));
   }
-  CHECK_CLOSE(cost_of(graph, found), least, 1e-6 * (1 + least));
+  CGAL_CHECK_CLOSE(cost_of(graph, found), least, 1e-6 * (1 + least));
 }
 
 // The minimum cut in the band around a cut is no dearer, and moves nodes near the cut only.
@@ -81,10 +81,10 @@ void moved_nodes_make_cuts_cheaper(unsigned int seed)
       is_inner[i] = true;
     const double before = cost_of(graph, is_inner);
     const Nodes moved = minimum_cut.nodes_to_move(inner, {0.35, 1.4, 0.7});
-    CHECK(std::is_sorted(moved.begin(), moved.end()));
+    CGAL_CHECK(std::is_sorted(moved.begin(), moved.end()));
     for (const Index i : moved)
       is_inner[i] = !is_inner[i];
-    CHECK(cost_of(graph, is_inner) <= before * (1 + 1e-6));
+    CGAL_CHECK(cost_of(graph, is_inner) <= before * (1 + 1e-6));
   }
 }
 

@@ -49,27 +49,27 @@ void true_parts_are_found()
 void true_parts_of_a_large_surface_are_found()
 {
   const Test_mesh mesh = star(4, 2, 0.25, 0.04, 0.045);
-  CHECK(mesh.faces.size() > 80000);
+  CGAL_CHECK(mesh.faces.size() > 80000);
   check_parts(mesh, 0.9);
-  CHECK_EQUAL(automatic_segmentation(mesh).number, 5);
+  CGAL_CHECK_EQUAL(automatic_segmentation(mesh).number, 5);
 }
 
 void evident_protrusions_are_counted_without_a_number()
 {
   for (const std::size_t arms : {3, 8})
-    CHECK_EQUAL(automatic_segmentation(star(arms)).number, arms + 1);
+    CGAL_CHECK_EQUAL(automatic_segmentation(star(arms)).number, arms + 1);
   // Cells half as wide as an arm: of such as wide as an arm, five arms leave a scrap of the ball that counts.
   constexpr double length = 2, radius = 0.25, length_step = 0.04, cell = 0.16;
   for (std::size_t arms = 1; arms <= 12; ++arms)
-    CHECK_EQUAL(automatic_segmentation(star(arms, length, radius, length_step, cell)).number, arms + 1);
-  CHECK_EQUAL(automatic_segmentation(icosphere(3)).number, 1);
+    CGAL_CHECK_EQUAL(automatic_segmentation(star(arms, length, radius, length_step, cell)).number, arms + 1);
+  CGAL_CHECK_EQUAL(automatic_segmentation(icosphere(3)).number, 1);
 }
 
 // However long they are: nothing but a short cut speaks for a border.
 void smooth_tubes_are_whole()
 {
-  CHECK_EQUAL(automatic_segmentation(capsule(0.2, 20, 0.15)).number, 1);
-  CHECK_EQUAL(automatic_segmentation(torus(4, 0.2, 200, 12)).number, 1);
+  CGAL_CHECK_EQUAL(automatic_segmentation(capsule(0.2, 20, 0.15)).number, 1);
+  CGAL_CHECK_EQUAL(automatic_segmentation(torus(4, 0.2, 200, 12)).number, 1);
 }
 
 // A rod of radius `radius` along `curve(s)`, which is as long as it.
@@ -97,7 +97,7 @@ void bent_tubes_are_whole()
   for (const Test_mesh& tube : {rod_along(arch, 4, 0.2), rod_along(wave, 4, 0.2), rod_along(spring, 18, 0.16),
                                 rod_along(spiral, 20, 0.12), torus(1.5, 0.1, 120, 12)})
     for (const std::uint_fast32_t seed : {1, 2, 3})
-      CHECK_EQUAL(automatic_segmentation(jittered(tube, 0.01, seed)).number, 1);
+      CGAL_CHECK_EQUAL(automatic_segmentation(jittered(tube, 0.01, seed)).number, 1);
 }
 
 // A face keeps its segment, or gets the nearest ancestor of it that is left: the segments nest.
@@ -111,7 +111,7 @@ void check_coarser(const PS::Segment_hierarchy& hierarchy,
     std::size_t expected = finest[f];
     while (expected >= k)
       expected = hierarchy.parent(expected);
-    CHECK_EQUAL(found[f], expected);
+    CGAL_CHECK_EQUAL(found[f], expected);
   }
 }
 
@@ -121,8 +121,8 @@ void the_hierarchy_holds_nested_segmentations()
 {
   const Mesh mesh = to_graph<Mesh>(merged({creature(), star(3)}));
   const PS::Segment_hierarchy hierarchy = CGAL::protrusion_hierarchy(mesh, 12);
-  CHECK_EQUAL(hierarchy.minimum_number_of_segments(), 2);
-  CHECK_EQUAL(hierarchy.maximum_number_of_segments(), 12);
+  CGAL_CHECK_EQUAL(hierarchy.minimum_number_of_segments(), 2);
+  CGAL_CHECK_EQUAL(hierarchy.maximum_number_of_segments(), 12);
   const Labels direct =
     checked(mesh, [&](auto map) { return CGAL::segmentation_via_protrusion_tips(mesh, map, 12); }).labels;
   for (std::size_t k = 2; k <= 12; ++k)
@@ -136,11 +136,11 @@ void the_hierarchy_holds_nested_segmentations()
     check_coarser(hierarchy, k, direct, found.labels);
   }
   Segment_ids<Mesh> ids(mesh);
-  CHECK_THROWS_WITH(hierarchy.segment_ids(mesh, 1, ids.map()), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(hierarchy.segment_ids(mesh, 1, ids.map()), std::invalid_argument,
                     "number_of_segments");
-  CHECK_THROWS_WITH(hierarchy.segment_ids(mesh, 13, ids.map()), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(hierarchy.segment_ids(mesh, 13, ids.map()), std::invalid_argument,
                     "number_of_segments");
-  CHECK_THROWS_WITH(hierarchy.segment_ids(to_graph<Mesh>(tetrahedron()), 2, ids.map()),
+  CGAL_CHECK_THROWS_WITH(hierarchy.segment_ids(to_graph<Mesh>(tetrahedron()), 2, ids.map()),
                     std::invalid_argument, "pmesh");
 }
 
@@ -154,11 +154,11 @@ void tips_of_a_user_are_cut_off()
   const Segmentation found = checked(
     mesh, [&](auto ids)
     { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, PS::Minimum_cut_method()); });
-  CHECK_EQUAL(found.number, 4);
+  CGAL_CHECK_EQUAL(found.number, 4);
   std::set<std::size_t> segments;
   for (const auto tip : tips)
     segments.insert(found.labels[tip]);
-  CHECK(segments == std::set<std::size_t>({1, 2, 3}));
+  CGAL_CHECK(segments == std::set<std::size_t>({1, 2, 3}));
 }
 
 // Any distance gives fields to search along.
@@ -173,8 +173,8 @@ void other_distances_serve_the_search()
                                          mesh, ids, 5,
                                          PS::Minimum_cut_method(PS::Landmark_geodesic_distance(0.05)));
                                      });
-  CHECK_EQUAL(found.number, 5);
-  CHECK(share_in_true_parts(soup, found.labels) > 0.85);
+  CGAL_CHECK_EQUAL(found.number, 5);
+  CGAL_CHECK(share_in_true_parts(soup, found.labels) > 0.85);
 }
 
 void scale_position_and_orientation_do_not_matter()
@@ -182,10 +182,10 @@ void scale_position_and_orientation_do_not_matter()
   const Test_mesh mesh = star(4);
   const Labels expected = default_segmentation(mesh, 5).labels;
   for (const double factor : {std::ldexp(1., -900), 4., std::ldexp(1., 900)})
-    CHECK(default_segmentation(scaled(mesh, factor), 5).labels == expected);
+    CGAL_CHECK(default_segmentation(scaled(mesh, factor), 5).labels == expected);
   for (const Test_mesh& moved :
        {rotated(mesh, {1, 2, 3}, 1), translated(mesh, {10, -20, 5}), with_reversed_orientation(mesh)})
-    CHECK(as_partition(default_segmentation(moved, 5).labels) == as_partition(expected));
+    CGAL_CHECK(as_partition(default_segmentation(moved, 5).labels) == as_partition(expected));
 }
 
 // Whatever the mesh, the result is valid; it may have fewer segments than asked for.
@@ -204,11 +204,11 @@ void odd_meshes_are_segmented()
       if (k <= mesh.faces.size())
       {
         const Segmentation found = default_segmentation(mesh, k);
-        CHECK(found.number >= 1);
-        CHECK(found.number <= (std::max)(k, number_of_components(mesh)));
+        CGAL_CHECK(found.number >= 1);
+        CGAL_CHECK(found.number <= (std::max)(k, number_of_components(mesh)));
       }
   for (unsigned int seed = 0; seed < 40; ++seed)
-    CHECK(default_segmentation(random_surface(seed), 4).number >= 1);
+    CGAL_CHECK(default_segmentation(random_surface(seed), 4).number >= 1);
 }
 
 int main()

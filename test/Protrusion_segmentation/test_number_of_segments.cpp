@@ -25,13 +25,13 @@ std::size_t automatic_number(const std::vector<double>& gains)
 
 void the_largest_drop_ends_the_cuts()
 {
-  CHECK_EQUAL(automatic_number({}), 1u);
-  CHECK_EQUAL(automatic_number({-0.2}), 1u);
-  CHECK_EQUAL(automatic_number({0.01, 0.5}), 1u); // not asked any further
-  CHECK_EQUAL(automatic_number({0.5}), 2u);
-  CHECK_EQUAL(automatic_number({0.5, 0.3, 0.001}), 3u);
-  CHECK_EQUAL(automatic_number({0.5, 0.3, 0.055, 0.025}), 4u);
-  CHECK_EQUAL(automatic_number({0.5, 0.3, 0.03, 0.025}), 3u);
+  CGAL_CHECK_EQUAL(automatic_number({}), 1u);
+  CGAL_CHECK_EQUAL(automatic_number({-0.2}), 1u);
+  CGAL_CHECK_EQUAL(automatic_number({0.01, 0.5}), 1u); // not asked any further
+  CGAL_CHECK_EQUAL(automatic_number({0.5}), 2u);
+  CGAL_CHECK_EQUAL(automatic_number({0.5, 0.3, 0.001}), 3u);
+  CGAL_CHECK_EQUAL(automatic_number({0.5, 0.3, 0.055, 0.025}), 4u);
+  CGAL_CHECK_EQUAL(automatic_number({0.5, 0.3, 0.03, 0.025}), 3u);
 }
 
 // Pairs of nearly the same value, wherever they lie.
@@ -40,16 +40,16 @@ void twins_stay_together()
   for (double value = 0.021; value < 0.07; value += 0.001)
   {
     const std::size_t number = automatic_number({0.4, value + 0.0002, value, 0.005});
-    CHECK(number == 2 || number == 4);
-    CHECK_EQUAL(number == 4, value > 0.04);
+    CGAL_CHECK(number == 2 || number == 4);
+    CGAL_CHECK_EQUAL(number == 4, value > 0.04);
   }
 }
 
 // A cut that gains more than one before it belongs to the same step.
 void values_need_not_descend()
 {
-  CHECK_EQUAL(automatic_number({0.4, 0.05, 0.3, 0.01}), 4u);
-  CHECK_EQUAL(automatic_number({0.02, 0.3}), 1u);
+  CGAL_CHECK_EQUAL(automatic_number({0.4, 0.05, 0.3, 0.01}), 4u);
+  CGAL_CHECK_EQUAL(automatic_number({0.02, 0.3}), 1u);
 }
 
 void large_gains_count_and_small_ones_do_not()
@@ -67,7 +67,7 @@ void large_gains_count_and_small_ones_do_not()
       possibly += gain > 0.02;
     }
     const std::size_t number = automatic_number(gains);
-    CHECK(surely <= number && number <= possibly);
+    CGAL_CHECK(surely <= number && number <= possibly);
   }
 }
 

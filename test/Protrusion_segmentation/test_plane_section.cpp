@@ -124,7 +124,7 @@ std::vector<Points> components_by_walk(const Indexed_surface& surface,
     components.emplace_back();
     for (const Indexed_surface::Point_3& p : points)
       components.back().push_back({p.x(), p.y(), p.z()});
-    CHECK_CLOSE(planar_diameter(points, plane.normal), brute_force_diameter(components.back()),
+    CGAL_CHECK_CLOSE(planar_diameter(points, plane.normal), brute_force_diameter(components.back()),
                 tolerance);
   }
   return sorted_components(components);
@@ -144,13 +144,13 @@ public:
   {
     const std::vector<Points> expected = components_by_slicer(m_mesh, plane);
     const std::vector<Points> found = components_by_walk(m_surface, m_section, plane);
-    CHECK_EQUAL(found.size(), expected.size());
+    CGAL_CHECK_EQUAL(found.size(), expected.size());
     for (std::size_t i = 0; i < (std::min)(found.size(), expected.size()); ++i)
     {
-      CHECK_EQUAL(found[i].size(), expected[i].size());
-      CHECK_CLOSE(brute_force_diameter(found[i]), brute_force_diameter(expected[i]), tolerance);
+      CGAL_CHECK_EQUAL(found[i].size(), expected[i].size());
+      CGAL_CHECK_CLOSE(brute_force_diameter(found[i]), brute_force_diameter(expected[i]), tolerance);
       for (std::size_t j = 0; j < (std::min)(found[i].size(), expected[i].size()); ++j)
-        CHECK(std::any_of(expected[i].begin(), expected[i].end(),
+        CGAL_CHECK(std::any_of(expected[i].begin(), expected[i].end(),
                           [&](const Point& p) { return length(p - found[i][j]) < tolerance; }));
     }
     return found.size();
@@ -187,9 +187,9 @@ void random_planes_give_the_same_components()
 void a_torus_has_sections_in_two_components()
 {
   Sliced_mesh sliced(triangulated(torus(2, 0.5)));
-  CHECK_EQUAL(sliced.check({{0, 0, 0.01}, {0, 0, 1}}), 2); // rings
-  CHECK_EQUAL(sliced.check({{0, 0.01, 0}, {0, 1, 0}}), 2); // circles
-  CHECK_EQUAL(sliced.check({{2, 0.01, 0}, {1, 0, 0}}), 1);
+  CGAL_CHECK_EQUAL(sliced.check({{0, 0, 0.01}, {0, 0, 1}}), 2); // rings
+  CGAL_CHECK_EQUAL(sliced.check({{0, 0.01, 0}, {0, 1, 0}}), 2); // circles
+  CGAL_CHECK_EQUAL(sliced.check({{2, 0.01, 0}, {1, 0, 0}}), 1);
 }
 
 // Some of their vertices are on the planes to the last bit.
@@ -197,17 +197,17 @@ void planes_through_vertices_and_edges_give_the_same_points()
 {
   Sliced_mesh ball(icosphere(2)); // some edges lie in the coordinate planes
   for (const Vector_3& normal : {Vector_3(1, 0, 0), Vector_3(0, -1, 0), Vector_3(0, 0, 1)})
-    CHECK_EQUAL(ball.check({{0, 0, 0}, normal}), 1);
+    CGAL_CHECK_EQUAL(ball.check({{0, 0, 0}, normal}), 1);
   Sliced_mesh cylinder(triangulated(open_cylinder(1, 4, 0.25)));
   for (const double z : {0.5, 1., 2.75}) // rings of edges
-    CHECK_EQUAL(cylinder.check({{0, 0, z}, {0, 0, 1}}), 1);
+    CGAL_CHECK_EQUAL(cylinder.check({{0, 0, z}, {0, 0, 1}}), 1);
   Sliced_mesh body(triangulated(box(3, 2, 4)));
   for (const double t : {0.5, 1.})
     for (const Vector_3& normal : {Vector_3(1, 0, 0), Vector_3(0, 1, 0), Vector_3(0, 0, 1)})
-      CHECK_EQUAL(body.check({{t, t, t}, normal}), 1);
+      CGAL_CHECK_EQUAL(body.check({{t, t, t}, normal}), 1);
   Sliced_mesh sheet_mesh(triangulated(sheet(5, 5)));
-  CHECK_EQUAL(sheet_mesh.check({{2, 0, 0}, {1, 0, 0}}), 1);
-  CHECK_EQUAL(sheet_mesh.check({{2.5, 2.5, 0}, {1, 1, 0}}), 1);
+  CGAL_CHECK_EQUAL(sheet_mesh.check({{2, 0, 0}, {1, 0, 0}}), 1);
+  CGAL_CHECK_EQUAL(sheet_mesh.check({{2.5, 2.5, 0}, {1, 1, 0}}), 1);
 }
 
 void a_plane_beside_the_surface_crosses_nothing()
@@ -221,7 +221,7 @@ void a_plane_beside_the_surface_crosses_nothing()
     section.start();
     for (Index f = 0; f < surface.number_of_faces(); ++f)
       section.component(f, plane, points);
-    CHECK(points.empty());
+    CGAL_CHECK(points.empty());
   }
 }
 
@@ -239,8 +239,8 @@ void a_component_is_given_once_a_section()
   };
   section_of_all_faces(once);
   section_of_all_faces(again);
-  CHECK(once == again);
-  CHECK(!once.empty());
+  CGAL_CHECK(once == again);
+  CGAL_CHECK(!once.empty());
 }
 
 // A regular polygon in a tilted plane and random clouds, also on a line or in one point.
@@ -263,13 +263,13 @@ void diameters_of_points_in_a_plane()
       points.push_back(Indexed_surface::Point_3(3, -2, 1) + x * u + (flatness * y) * v);
       copies.push_back({points.back().x(), points.back().y(), points.back().z()});
     }
-    CHECK_CLOSE(planar_diameter(points, normal), brute_force_diameter(copies), tolerance);
-    CHECK_CLOSE(planar_diameter(points, 1e-300 * normal), brute_force_diameter(copies), tolerance);
+    CGAL_CHECK_CLOSE(planar_diameter(points, normal), brute_force_diameter(copies), tolerance);
+    CGAL_CHECK_CLOSE(planar_diameter(points, 1e-300 * normal), brute_force_diameter(copies), tolerance);
   }
-  CHECK_EQUAL(planar_diameter({}, {0, 0, 1}), 0);
-  CHECK_EQUAL(planar_diameter({{1, 2, 3}}, {0, 0, 1}), 0);
-  CHECK_EQUAL(planar_diameter({{1, 2, 3}, {2, 2, 3}}, {0, 0, 0}), 0); // no plane
-  CHECK_CLOSE(planar_diameter({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {0, 0, -5}), std::sqrt(5.),
+  CGAL_CHECK_EQUAL(planar_diameter({}, {0, 0, 1}), 0);
+  CGAL_CHECK_EQUAL(planar_diameter({{1, 2, 3}}, {0, 0, 1}), 0);
+  CGAL_CHECK_EQUAL(planar_diameter({{1, 2, 3}, {2, 2, 3}}, {0, 0, 0}), 0); // no plane
+  CGAL_CHECK_CLOSE(planar_diameter({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}, {0, 0, -5}), std::sqrt(5.),
               1e-15);
 }
 
@@ -300,7 +300,7 @@ double squared_distance(const Point& p, const Point& q)
 void calipers_come_to_an_end_whatever_is_rounded()
 {
   const std::vector<rounded_up::Point> hull = {{0}, {1}, {3}};
-  CHECK(largest_squared_distance_of_antipodal_pairs(hull) <= 9);
+  CGAL_CHECK(largest_squared_distance_of_antipodal_pairs(hull) <= 9);
 }
 
 void diameters_of_hulls()
@@ -308,11 +308,11 @@ void diameters_of_hulls()
   using Point_2 = Kernel::Point_2;
   const auto diameter = [](const std::vector<Point_2>& hull)
   { return std::sqrt(largest_squared_distance_of_antipodal_pairs(hull)); };
-  CHECK_EQUAL(diameter({}), 0);
-  CHECK_EQUAL(diameter({{1, 2}}), 0);
-  CHECK_EQUAL(diameter({{0, 0}, {3, 4}}), 5);
-  CHECK_EQUAL(diameter({{0, 0}, {4, 0}, {0, 3}}), 5);
-  CHECK_EQUAL(diameter({{0, 0}, {4, 0}, {4, 3}, {0, 3}}), 5);
+  CGAL_CHECK_EQUAL(diameter({}), 0);
+  CGAL_CHECK_EQUAL(diameter({{1, 2}}), 0);
+  CGAL_CHECK_EQUAL(diameter({{0, 0}, {3, 4}}), 5);
+  CGAL_CHECK_EQUAL(diameter({{0, 0}, {4, 0}, {0, 3}}), 5);
+  CGAL_CHECK_EQUAL(diameter({{0, 0}, {4, 0}, {4, 3}, {0, 3}}), 5);
 }
 
 // Several threads have a copy each.
@@ -322,7 +322,7 @@ void a_copy_takes_few_bits_for_each_face()
   const Plane_section section(surface);
   const std::size_t before = allocated_bytes;
   const Plane_section copy(section);
-  CHECK(8 * (allocated_bytes - before) < 3 * surface.number_of_faces());
+  CGAL_CHECK(8 * (allocated_bytes - before) < 3 * surface.number_of_faces());
 }
 
 int main()

@@ -28,15 +28,15 @@ double distance(const Point& a, const Point& b)
 void check_measures(const std::vector<Point>& corners, double area, const Point& centroid)
 {
   const auto measures = measure_polygon(corners);
-  CHECK_CLOSE(measures.area, area, exact);
-  CHECK_CLOSE(distance(measures.centroid, centroid), 0, exact);
+  CGAL_CHECK_CLOSE(measures.area, area, exact);
+  CGAL_CHECK_CLOSE(distance(measures.centroid, centroid), 0, exact);
 }
 
 void test_area_vector()
 {
   const std::vector<Point> square = {Point(1, 1, 3), Point(3, 1, 3), Point(3, 3, 3), Point(1, 3, 3)};
-  CHECK(polygon_area_vector(square) == Vector(0, 0, 4));
-  CHECK(polygon_area_vector(std::vector<Point>(square.rbegin(), square.rend())) == Vector(0, 0, -4));
+  CGAL_CHECK(polygon_area_vector(square) == Vector(0, 0, 4));
+  CGAL_CHECK(polygon_area_vector(std::vector<Point>(square.rbegin(), square.rend())) == Vector(0, 0, -4));
 }
 
 void test_triangle()

@@ -90,22 +90,22 @@ std::string as_text(const Repairs& r)
 template <typename FaceGraph>
 void check_correspondence(const Test_mesh& soup, const FaceGraph& mesh, const Correspondence<FaceGraph>& found)
 {
-  CHECK(CGAL::is_valid_polygon_mesh(mesh));
-  CHECK_EQUAL(found.face_of_polygon.size(), soup.faces.size());
-  CHECK_EQUAL(found.faces.size(), num_faces(mesh));
-  CHECK_EQUAL(found.vertices.size(), num_vertices(mesh));
-  CHECK_EQUAL(found.polygon_of_face.size(), found.faces.size());
-  CHECK_EQUAL(found.point_of_vertex.size(), found.vertices.size());
-  CHECK(std::equal(found.faces.begin(), found.faces.end(), faces(mesh).begin(), faces(mesh).end()));
-  CHECK(std::is_sorted(found.polygon_of_face.begin(), found.polygon_of_face.end()));
-  CHECK(std::is_sorted(found.point_of_vertex.begin(), found.point_of_vertex.end()));
+  CGAL_CHECK(CGAL::is_valid_polygon_mesh(mesh));
+  CGAL_CHECK_EQUAL(found.face_of_polygon.size(), soup.faces.size());
+  CGAL_CHECK_EQUAL(found.faces.size(), num_faces(mesh));
+  CGAL_CHECK_EQUAL(found.vertices.size(), num_vertices(mesh));
+  CGAL_CHECK_EQUAL(found.polygon_of_face.size(), found.faces.size());
+  CGAL_CHECK_EQUAL(found.point_of_vertex.size(), found.vertices.size());
+  CGAL_CHECK(std::equal(found.faces.begin(), found.faces.end(), faces(mesh).begin(), faces(mesh).end()));
+  CGAL_CHECK(std::is_sorted(found.polygon_of_face.begin(), found.polygon_of_face.end()));
+  CGAL_CHECK(std::is_sorted(found.point_of_vertex.begin(), found.point_of_vertex.end()));
 
   const std::set<typename boost::graph_traits<FaceGraph>::face_descriptor> all(faces(mesh).begin(),
                                                                                faces(mesh).end());
   for (const auto f : found.face_of_polygon)
-    CHECK(all.count(f) == 1);
+    CGAL_CHECK(all.count(f) == 1);
   for (std::size_t i = 0; i < found.faces.size(); ++i)
-    CHECK(found.face_of_polygon.at(found.polygon_of_face[i]) == found.faces[i]);
+    CGAL_CHECK(found.face_of_polygon.at(found.polygon_of_face[i]) == found.faces[i]);
 }
 
 // The mesh with its vertices as corners.
@@ -149,7 +149,7 @@ void check_faces(const Test_mesh& soup, const FaceGraph& mesh, const Corresponde
   const Test_mesh faces = to_soup(mesh, found);
   const std::vector<std::size_t> places = places_of_points(soup);
   for (std::size_t v = 0; v < faces.points.size(); ++v)
-    CHECK(faces.points[v] == soup.points.at(found.point_of_vertex[v]));
+    CGAL_CHECK(faces.points[v] == soup.points.at(found.point_of_vertex[v]));
   std::vector<std::size_t> corners_at(faces.points.size(), 0);
   std::size_t number_of_reversed = 0, number_of_symmetric = 0; // the second read the same either way
   for (std::size_t f = 0; f < faces.faces.size(); ++f)
@@ -180,21 +180,21 @@ void check_faces(const Test_mesh& soup, const FaceGraph& mesh, const Corresponde
     const bool is_turned = !is_same(polygon);
     number_of_reversed += is_turned ? 1 : 0;
     number_of_symmetric += !is_turned && is_same(reversed) ? 1 : 0;
-    CHECK(!is_turned || is_same(reversed));
+    CGAL_CHECK(!is_turned || is_same(reversed));
   }
   if (std::all_of(soup.faces.begin(), soup.faces.end(), [](const Face& face) { return face.size() == 3; }))
   {
-    CHECK(number_of_reversed <= found.repairs.reversed_polygons);
-    CHECK(found.repairs.reversed_polygons <= number_of_reversed + number_of_symmetric);
+    CGAL_CHECK(number_of_reversed <= found.repairs.reversed_polygons);
+    CGAL_CHECK(found.repairs.reversed_polygons <= number_of_reversed + number_of_symmetric);
   }
   for (std::size_t v = 0; v < found.vertices.size(); ++v)
   {
     const auto around = halfedges_around_target(halfedge(found.vertices[v], mesh), mesh);
     const auto corners =
       std::count_if(around.begin(), around.end(), [&](const auto h) { return !is_border(h, mesh); });
-    CHECK_EQUAL(corners, corners_at[v]);
+    CGAL_CHECK_EQUAL(corners, corners_at[v]);
   }
-  CHECK_EQUAL(number_of_components(faces), found.repairs.components);
+  CGAL_CHECK_EQUAL(number_of_components(faces), found.repairs.components);
 }
 
 template <typename FaceGraph>
@@ -213,9 +213,9 @@ void check_repairs(const Test_mesh& soup,
   FaceGraph mesh;
   const auto found = repair(soup, mesh);
   check_mesh(soup, mesh, found);
-  CHECK_EQUAL(as_text(found.repairs), as_text(expected));
+  CGAL_CHECK_EQUAL(as_text(found.repairs), as_text(expected));
   for (const auto& [polygon, giver] : givers)
-    CHECK(found.face_of_polygon.at(polygon) == found.face_of_polygon.at(giver));
+    CGAL_CHECK(found.face_of_polygon.at(polygon) == found.face_of_polygon.at(giver));
 }
 
 std::size_t number_of_border_edges_of(const Test_mesh& soup)
@@ -239,17 +239,17 @@ void clean_meshes_are_unchanged()
     Mesh mesh;
     const auto found = repair(soup, mesh);
     check_mesh(soup, mesh, found);
-    CHECK(found.repairs.is_nothing());
-    CHECK_EQUAL(found.repairs.components, 1);
+    CGAL_CHECK(found.repairs.is_nothing());
+    CGAL_CHECK_EQUAL(found.repairs.components, 1);
     const Mesh same = to_graph<Mesh>(soup);
-    CHECK_EQUAL(mesh.number_of_halfedges(), same.number_of_halfedges());
+    CGAL_CHECK_EQUAL(mesh.number_of_halfedges(), same.number_of_halfedges());
     for (const auto h : halfedges(same))
     {
-      CHECK(source(h, mesh) == source(h, same) && target(h, mesh) == target(h, same));
-      CHECK(face(h, mesh) == face(h, same));
+      CGAL_CHECK(source(h, mesh) == source(h, same) && target(h, mesh) == target(h, same));
+      CGAL_CHECK(face(h, mesh) == face(h, same));
     }
     for (const auto v : vertices(same))
-      CHECK(mesh.point(v) == same.point(v));
+      CGAL_CHECK(mesh.point(v) == same.point(v));
   }
 }
 
@@ -263,7 +263,7 @@ void duplicates_have_the_label_of_the_first()
   const Test_mesh soup = with_faces(cube, {other_start, reversed, cube.faces[2]});
   check_repairs(soup, repairs(0, 3, 0, 0, 0, 1), {{6, 2}, {7, 4}, {8, 2}});
   check_repairs<Polyhedron>(soup, repairs(0, 3, 0, 0, 0, 1), {{6, 2}, {7, 4}, {8, 2}});
-  CHECK_EQUAL(number_of_border_edges_of(soup), 0);
+  CGAL_CHECK_EQUAL(number_of_border_edges_of(soup), 0);
 }
 
 void turned_faces_are_turned_back()
@@ -273,7 +273,7 @@ void turned_faces_are_turned_back()
     Test_mesh cube = box();
     std::reverse(cube.faces[turned].begin(), cube.faces[turned].end());
     check_repairs(cube, repairs(0, 0, 0, 1, 0, 1));
-    CHECK_EQUAL(number_of_border_edges_of(cube), 0);
+    CGAL_CHECK_EQUAL(number_of_border_edges_of(cube), 0);
   }
   check_repairs(with_reversed_orientation(box()), repairs(0, 0, 0, 0, 0, 1)); // which is right is not known
 }
@@ -288,8 +288,8 @@ void bow_ties_get_a_vertex_for_each_fan()
   check_repairs<Polyhedron>(soup, repairs(0, 0, 0, 0, 0, 2));
   Mesh mesh;
   const auto found = repair(soup, mesh);
-  CHECK_EQUAL(mesh.number_of_vertices(), 8);
-  CHECK_EQUAL(std::count(found.point_of_vertex.begin(), found.point_of_vertex.end(), 0u), 2);
+  CGAL_CHECK_EQUAL(mesh.number_of_vertices(), 8);
+  CGAL_CHECK_EQUAL(std::count(found.point_of_vertex.begin(), found.point_of_vertex.end(), 0u), 2);
 }
 
 void edges_of_three_faces_join_the_two_that_go_on()
@@ -309,7 +309,7 @@ void edges_of_three_faces_join_the_two_that_go_on()
                                            : place == 1 ? std::vector<std::size_t>{0, 2}
                                                         : std::vector<std::size_t>{0, 1};
       const auto around = faces_around_face(halfedge(found.faces[two[0]], mesh), mesh);
-      CHECK(std::find(around.begin(), around.end(), found.faces[two[1]]) != around.end());
+      CGAL_CHECK(std::find(around.begin(), around.end(), found.faces[two[1]]) != around.end());
     }
 }
 
@@ -317,16 +317,16 @@ void edges_of_three_faces_join_the_two_that_go_on()
 void walls_between_solids_are_specks()
 {
   Test_mesh soup = box(1, 1, 2);
-  CHECK_EQUAL(soup.faces.size(), 10);
+  CGAL_CHECK_EQUAL(soup.faces.size(), 10);
   Face wall;
   for (std::size_t v = 0; v < soup.points.size(); ++v)
     if (soup.points[v][2] == 1)
       wall.push_back(v);
-  CHECK_EQUAL(wall.size(), 4);
+  CGAL_CHECK_EQUAL(wall.size(), 4);
   if (soup.points[wall[1]][0] != soup.points[wall[2]][0] && soup.points[wall[1]][1] != soup.points[wall[2]][1])
     std::swap(wall[2], wall[3]);
   check_repairs(with_faces(soup, {wall, wall}), repairs(0, 1, 4, 0, 1, 1));
-  CHECK_EQUAL(number_of_border_edges_of(with_faces(soup, {wall, wall})), 0);
+  CGAL_CHECK_EQUAL(number_of_border_edges_of(with_faces(soup, {wall, wall})), 0);
 }
 
 void degenerate_polygons_have_the_label_of_a_neighbor()
@@ -342,7 +342,7 @@ void degenerate_polygons_have_the_label_of_a_neighbor()
   std::size_t at_corner = 0;
   while (std::count(cube.faces[at_corner].begin(), cube.faces[at_corner].end(), corner) == 0)
     ++at_corner;
-  CHECK_EQUAL(beside.size(), 2);
+  CGAL_CHECK_EQUAL(beside.size(), 2);
   const Test_mesh soup =
     with_faces(cube, {{corner, corner, next}, {corner, next}, {next, corner, next}, {corner}, {}});
   const std::vector<std::pair<std::size_t, std::size_t>> givers = {
@@ -403,8 +403,8 @@ void soups_without_shared_points_hang_together()
     check_repairs<Polyhedron>(soup, repairs(0, 0, 0, 0, 0, 1));
     Mesh found;
     repair(soup, found);
-    CHECK_EQUAL(found.number_of_vertices(), mesh.points.size());
-    CHECK_EQUAL(number_of_border_edges_of(soup), 0);
+    CGAL_CHECK_EQUAL(found.number_of_vertices(), mesh.points.size());
+    CGAL_CHECK_EQUAL(number_of_border_edges_of(soup), 0);
   }
 }
 
@@ -415,18 +415,18 @@ void moebius_strips_are_cut()
   Repairs expected = repairs(0, 0, 0, repairs_of(strip).reversed_polygons, 0, 1);
   expected.unorientable_edges = 1;
   check_repairs(strip, expected);
-  CHECK(!repairs_of(strip).is_nothing());
-  CHECK_EQUAL(number_of_border_edges_of(strip), 2 * 12 + 2);
+  CGAL_CHECK(!repairs_of(strip).is_nothing());
+  CGAL_CHECK_EQUAL(number_of_border_edges_of(strip), 2 * 12 + 2);
 }
 
 template <typename Points, typename Polygons>
 void check_refused(const Points& points, const Polygons& polygons, const std::string& message)
 {
   Mesh mesh = to_graph<Mesh>(tetrahedron());
-  CHECK_THROWS_WITH(CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(points, polygons, mesh),
+  CGAL_CHECK_THROWS_WITH(CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(points, polygons, mesh),
                     std::invalid_argument, message);
-  CHECK_EQUAL(mesh.number_of_vertices(), 4);
-  CHECK_EQUAL(mesh.number_of_faces(), 4);
+  CGAL_CHECK_EQUAL(mesh.number_of_vertices(), 4);
+  CGAL_CHECK_EQUAL(mesh.number_of_faces(), 4);
 }
 
 void bad_input_is_refused()
@@ -447,7 +447,7 @@ void bad_input_is_refused()
       check_refused(wrong, Polygons{{0, 1, 2}, {0, 1, 5}}, "points: point 5 has a coordinate that is not finite");
       Mesh mesh; // of which the point is no part
       CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(wrong, Polygons{{0, 1, 2}}, mesh);
-      CHECK_EQUAL(mesh.number_of_vertices(), 3);
+      CGAL_CHECK_EQUAL(mesh.number_of_vertices(), 3);
     }
 }
 
@@ -456,10 +456,10 @@ void faces_are_added()
   Mesh mesh = to_graph<Mesh>(tetrahedron());
   const auto found = CGAL::Protrusion_segmentation::polygon_soup_to_manifold_mesh(points_of(box()),
                                                                                   box().faces, mesh);
-  CHECK_EQUAL(mesh.number_of_faces(), 10);
-  CHECK_EQUAL(mesh.number_of_vertices(), 12);
-  CHECK_EQUAL(found.faces.size(), 6);
-  CHECK(found.faces.front() == Mesh::Face_index(4));
+  CGAL_CHECK_EQUAL(mesh.number_of_faces(), 10);
+  CGAL_CHECK_EQUAL(mesh.number_of_vertices(), 12);
+  CGAL_CHECK_EQUAL(found.faces.size(), 6);
+  CGAL_CHECK(found.faces.front() == Mesh::Face_index(4));
 }
 
 void any_ranges_do()
@@ -480,9 +480,9 @@ void any_ranges_do()
     pairs, soup.faces, of_pairs,
     CGAL::parameters::point_map(CGAL::Second_of_pair_property_map<std::pair<int, Point_3>>()));
   check_mesh(soup, of_pairs, found);
-  CHECK_EQUAL(of_list.number_of_faces(), 12);
+  CGAL_CHECK_EQUAL(of_list.number_of_faces(), 12);
   for (const auto v : vertices(of_list))
-    CHECK(of_list.point(v) == points[v] && of_pairs.point(v) == points[v]);
+    CGAL_CHECK(of_list.point(v) == points[v] && of_pairs.point(v) == points[v]);
 
   Mesh other;
   const auto doubled = other.add_property_map<Mesh::Vertex_index, Point_3>("v:other").first;
@@ -490,7 +490,7 @@ void any_ranges_do()
     points, soup.faces, other, CGAL::parameters::default_values(),
     CGAL::parameters::vertex_point_map(doubled));
   for (const auto v : vertices(other))
-    CHECK(doubled[v] == points[v]);
+    CGAL_CHECK(doubled[v] == points[v]);
 }
 
 void labels_come_back_to_the_polygons()
@@ -504,11 +504,11 @@ void labels_come_back_to_the_polygons()
     labels[f] = 10 + std::size_t(f);
   std::vector<std::size_t> result;
   found.labels_of_polygons(labels, std::back_inserter(result));
-  CHECK_EQUAL(result.size(), 9);
+  CGAL_CHECK_EQUAL(result.size(), 9);
   for (std::size_t polygon = 0; polygon < 6; ++polygon)
-    CHECK_EQUAL(result[polygon], 10 + polygon);
-  CHECK_EQUAL(result[6], 13);
-  CHECK_EQUAL(result[8], 11);
+    CGAL_CHECK_EQUAL(result[polygon], 10 + polygon);
+  CGAL_CHECK_EQUAL(result[6], 13);
+  CGAL_CHECK_EQUAL(result[8], 11);
 }
 
 // A surface with some polygons twice, some turned and some without area, in random order.
@@ -578,10 +578,10 @@ void wild_soups_become_manifolds()
     // What does not depend on which polygons are joined.
     const Test_mesh other = with_face_order(soup, random_permutation(soup.faces.size(), seed));
     const Repairs of_other = repairs_of(other);
-    CHECK_EQUAL(of_other.degenerate_polygons, found.repairs.degenerate_polygons);
-    CHECK_EQUAL(of_other.duplicate_polygons, found.repairs.duplicate_polygons);
+    CGAL_CHECK_EQUAL(of_other.degenerate_polygons, found.repairs.degenerate_polygons);
+    CGAL_CHECK_EQUAL(of_other.duplicate_polygons, found.repairs.duplicate_polygons);
     if (seed % 2 == 0) // polygons that name the same points are joined before others come to lie there
-      CHECK_EQUAL(of_other.non_manifold_edges, found.repairs.non_manifold_edges);
+      CGAL_CHECK_EQUAL(of_other.non_manifold_edges, found.repairs.non_manifold_edges);
   }
   for (std::uint_fast32_t seed = 0; seed < 200; ++seed)
   {

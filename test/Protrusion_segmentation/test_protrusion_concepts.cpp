@@ -94,16 +94,16 @@ int main()
                                        return CGAL::segmentation_via_protrusion_tips(
                                          mesh, ids, 4, method, CGAL::parameters::visitor(Visitor(calls)));
                                      });
-  CHECK_EQUAL(found.number, 4);
-  CHECK(calls > 10);
+  CGAL_CHECK_EQUAL(found.number, 4);
+  CGAL_CHECK(calls > 10);
 
   std::vector<Mesh::Face_index> tips;
   CGAL::protrusion_tips(mesh, 3, std::back_inserter(tips), distance);
   std::set<std::size_t> arms;
   for (const Mesh::Face_index tip : tips)
     arms.insert(soup.parts[tip]);
-  CHECK(arms == (std::set<std::size_t>{1, 2, 3}));
-  CHECK(checked(mesh, [&](auto ids)
+  CGAL_CHECK(arms == (std::set<std::size_t>{1, 2, 3}));
+  CGAL_CHECK(checked(mesh, [&](auto ids)
                 { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, method); })
           .number > 1);
   return check::result();

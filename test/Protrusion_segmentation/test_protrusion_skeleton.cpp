@@ -70,9 +70,9 @@ std::vector<Joint> skeleton(const FaceGraph& mesh,
 
 void check_on_axis(const Joint& joint, double z, double tolerance)
 {
-  CHECK_CLOSE(joint.point.x(), 0, tolerance);
-  CHECK_CLOSE(joint.point.y(), 0, tolerance);
-  CHECK_CLOSE(joint.point.z(), z, tolerance);
+  CGAL_CHECK_CLOSE(joint.point.x(), 0, tolerance);
+  CGAL_CHECK_CLOSE(joint.point.y(), 0, tolerance);
+  CGAL_CHECK_CLOSE(joint.point.z(), z, tolerance);
 }
 
 // A cylinder of three parts, each two high: a body at the bottom, an arm, and a hand at its end.
@@ -92,7 +92,7 @@ void test_rig(double tolerance)
 {
   const Test_mesh soup = arm();
   const std::vector<Joint> joints = skeleton(to_graph<FaceGraph>(soup), soup.parts, {0, 0, 1}, 0);
-  CHECK_EQUAL(joints.size(), 5);
+  CGAL_CHECK_EQUAL(joints.size(), 5);
   // The bottom, of area pi / 4, is at height 0, and the wall, of area 2 pi, is at height 1 in the mean.
   check_on_axis(joints[0], 2 / 2.25, 2e-2);
   check_on_axis(joints[1], 2, tolerance);
@@ -100,27 +100,27 @@ void test_rig(double tolerance)
   const std::vector<std::size_t> parents = {0, 0, 1, 1, 3}, segments = {0, 1, 1, 2, 2};
   for (std::size_t i = 0; i < joints.size(); ++i)
   {
-    CHECK_EQUAL(joints[i].parent, parents[i]);
-    CHECK_EQUAL(joints[i].segment, segments[i]);
-    CHECK_EQUAL(joints[i].is_tip, i == 2 || i == 4);
+    CGAL_CHECK_EQUAL(joints[i].parent, parents[i]);
+    CGAL_CHECK_EQUAL(joints[i].segment, segments[i]);
+    CGAL_CHECK_EQUAL(joints[i].is_tip, i == 2 || i == 4);
   }
-  CHECK(joints[2].point.z() > 3.9 && joints[2].point.z() < 4);
-  CHECK_CLOSE(joints[4].point.z(), 6, 1e-12);
+  CGAL_CHECK(joints[2].point.z() > 3.9 && joints[2].point.z() < 4);
+  CGAL_CHECK_CLOSE(joints[4].point.z(), 6, 1e-12);
 }
 
 void test_inner_joints()
 {
   const Test_mesh soup = arm();
   const std::vector<Joint> joints = skeleton(to_graph<Mesh>(soup), soup.parts, {0, 0, 1}, 3);
-  CHECK_EQUAL(joints.size(), 1 + 5 + 5);
+  CGAL_CHECK_EQUAL(joints.size(), 1 + 5 + 5);
   for (std::size_t i = 2; i < 5; ++i) // at quarters of the arm
   {
     check_on_axis(joints[i], 2 + 0.5 * double(i - 1), 0.06);
-    CHECK_EQUAL(joints[i].parent, i - 1);
+    CGAL_CHECK_EQUAL(joints[i].parent, i - 1);
   }
-  CHECK(joints[5].is_tip);
-  CHECK_EQUAL(joints[5].parent, 4);
-  CHECK_EQUAL(joints[6].parent, 4); // the hand hangs on the last inner joint of the arm
+  CGAL_CHECK(joints[5].is_tip);
+  CGAL_CHECK_EQUAL(joints[5].parent, 4);
+  CGAL_CHECK_EQUAL(joints[6].parent, 4); // the hand hangs on the last inner joint of the arm
   check_on_axis(joints[6], 4, 1e-12);
 }
 
@@ -134,9 +134,9 @@ void test_mesh_of_any_size()
       joint.point = Kernel::Point_3(joint.point.x() / size, joint.point.y() / size,
                                     joint.point.z() / size);
     const std::vector<Joint> expected = skeleton(to_graph<Mesh>(soup), soup.parts, {0, 0, 1}, 1);
-    CHECK_EQUAL(joints.size(), expected.size());
+    CGAL_CHECK_EQUAL(joints.size(), expected.size());
     for (std::size_t i = 0; i < joints.size(); ++i)
-      CHECK(CGAL::squared_distance(joints[i].point, expected[i].point) < 1e-20);
+      CGAL_CHECK(CGAL::squared_distance(joints[i].point, expected[i].point) < 1e-20);
   }
 }
 
@@ -145,23 +145,23 @@ void test_components()
 {
   const Test_mesh soup = arm();
   const std::vector<Joint> two = skeleton(to_graph<Mesh>(soup), soup.parts, {0, 0, 2}, 0);
-  CHECK_EQUAL(two.size(), 4);
-  CHECK_EQUAL(two[3].parent, 3);
-  CHECK_EQUAL(two[3].segment, 2);
+  CGAL_CHECK_EQUAL(two.size(), 4);
+  CGAL_CHECK_EQUAL(two[3].parent, 3);
+  CGAL_CHECK_EQUAL(two[3].segment, 2);
   const std::vector<Joint> apart = skeleton(to_graph<Mesh>(soup), soup.parts, {0, 0, 0}, 2);
-  CHECK_EQUAL(apart.size(), 1 + 4 + 2); // the hand does not touch the body, and has no inner joints
-  CHECK_EQUAL(apart[5].parent, 0);
-  CHECK(apart[5].point.z() > 5 && apart[5].point.z() < 5.5);
+  CGAL_CHECK_EQUAL(apart.size(), 1 + 4 + 2); // the hand does not touch the body, and has no inner joints
+  CGAL_CHECK_EQUAL(apart[5].parent, 0);
+  CGAL_CHECK(apart[5].point.z() > 5 && apart[5].point.z() < 5.5);
 }
 
 void test_wrong_arguments()
 {
   Mesh mesh = to_graph<Mesh>(arm());
   const Test_mesh soup = arm();
-  CHECK_THROWS_WITH(skeleton(mesh, soup.parts, {0, 0, 1}, -1), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(skeleton(mesh, soup.parts, {0, 0, 1}, -1), std::invalid_argument,
                     "number_of_inner_joints is -1, but it must be at least 0");
   mesh.point(Mesh::Vertex_index(3)) = Kernel::Point_3(std::numeric_limits<double>::infinity(), 0, 0);
-  CHECK_THROWS_WITH(skeleton(mesh, soup.parts, {0, 0, 1}, 0), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(skeleton(mesh, soup.parts, {0, 0, 1}, 0), std::invalid_argument,
                     "pmesh: vertex 3 has a coordinate that is not finite");
 }
 

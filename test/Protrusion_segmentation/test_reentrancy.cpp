@@ -57,6 +57,6 @@ int main()
   for (std::thread& thread : threads)
     thread.join();
   for (std::size_t i = 0; i < found.size(); ++i)
-    CHECK(found[i] == expected[i % methods.size()]);
+    CGAL_CHECK(found[i] == expected[i % methods.size()]);
   return check::result();
 }

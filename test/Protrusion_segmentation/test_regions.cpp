@@ -28,7 +28,7 @@ Merged_regions regions_of(const Seam_graph& graph, const Nodes& nodes)
   Merged_regions result = internal::Region_merger(graph)(partition, segment);
   Nodes sorted = result.order;
   std::sort(sorted.begin(), sorted.end());
-  CHECK(sorted == nodes);
+  CGAL_CHECK(sorted == nodes);
   return result;
 }
 
@@ -101,14 +101,14 @@ void regions_are_the_best_clusters(const Seam_graph& graph, const Nodes& segment
   for (const Region& region : merged.regions)
   {
     const Node_set set = nodes_of(merged, region);
-    CHECK_EQUAL(clusters.count(set), 1u);
-    CHECK_CLOSE(region.relative_cost, cost(set), 1e-9 * (1 + region.relative_cost));
-    CHECK(region.relative_cost >= before);
+    CGAL_CHECK_EQUAL(clusters.count(set), 1u);
+    CGAL_CHECK_CLOSE(region.relative_cost, cost(set), 1e-9 * (1 + region.relative_cost));
+    CGAL_CHECK(region.relative_cost >= before);
     before = region.relative_cost;
   }
-  CHECK_EQUAL(merged.regions.empty(), best == infinity);
+  CGAL_CHECK_EQUAL(merged.regions.empty(), best == infinity);
   if (!merged.regions.empty())
-    CHECK_CLOSE(merged.regions.front().relative_cost, best, 1e-9 * (1 + best));
+    CGAL_CHECK_CLOSE(merged.regions.front().relative_cost, best, 1e-9 * (1 + best));
 }
 
 void random_surfaces(unsigned int seed)
@@ -145,7 +145,7 @@ void a_low_fin_is_a_region()
     best = (std::max)(
       best, common / static_cast<double>(set.size() + fin.size() - static_cast<std::size_t>(common)));
   }
-  CHECK(best > 0.95);
+  CGAL_CHECK(best > 0.95);
 }
 
 // Areas and affinities of zero.
@@ -156,7 +156,7 @@ void collapsed_faces()
     mesh.points[p] = mesh.points.front();
   const Seam_graph graph = seam_graph(mesh);
   for (const Region& region : regions_of(graph, all_nodes(graph)).regions)
-    CHECK(region.relative_cost >= 0 && region.relative_cost < infinity);
+    CGAL_CHECK(region.relative_cost >= 0 && region.relative_cost < infinity);
 }
 
 int main()

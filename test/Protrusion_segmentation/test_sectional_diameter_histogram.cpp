@@ -85,12 +85,12 @@ void diameters_along_a_capsule_are_even()
   for (std::size_t slot = 0; slot < number_of_slots; ++slot)
     if (seen.counts().counts[slot] > 0 && std::abs(seen.height(slot)) < 3.5)
     {
-      CHECK_CLOSE(seen.diameter(slot), 2 * radius, 0.05);
+      CGAL_CHECK_CLOSE(seen.diameter(slot), 2 * radius, 0.05);
       const Indexed_surface::Vector_3 normal = seen.plane(slot).normal;
-      CHECK(normal.z() > 0.95 * std::sqrt(normal.squared_length())); // points away from the tip
+      CGAL_CHECK(normal.z() > 0.95 * std::sqrt(normal.squared_length())); // points away from the tip
       ++slots_on_wall;
     }
-  CHECK(slots_on_wall > 60);
+  CGAL_CHECK(slots_on_wall > 60);
 }
 
 // The circle at the height of the slot: narrow on the stick, wide in the middle of the ball.
@@ -107,17 +107,17 @@ void diameters_grow_from_the_stick_to_the_ball()
     const double z = seen.height(slot);
     if (z > 0.2 && z < stick_length - 0.2)
     {
-      CHECK_CLOSE(seen.diameter(slot), 2 * stick, 0.06);
+      CGAL_CHECK_CLOSE(seen.diameter(slot), 2 * stick, 0.06);
       ++slots_on_stick;
     }
     else if (std::abs(z - center) < 0.7)
     {
-      CHECK_CLOSE(seen.diameter(slot), 2 * std::sqrt(ball * ball - (z - center) * (z - center)), 0.1);
+      CGAL_CHECK_CLOSE(seen.diameter(slot), 2 * std::sqrt(ball * ball - (z - center) * (z - center)), 0.1);
       ++slots_on_ball;
     }
   }
-  CHECK(slots_on_stick > 30);
-  CHECK(slots_on_ball > 15);
+  CGAL_CHECK(slots_on_stick > 30);
+  CGAL_CHECK(slots_on_ball > 15);
 }
 
 // Two sticks side by side on one ball: the section of the one that is looked from does not reach
@@ -132,7 +132,7 @@ void only_the_component_at_the_slot_counts()
   const Seen_from_below seen(mesh);
   for (std::size_t slot = 0; slot < number_of_slots; ++slot)
     if (seen.counts().counts[slot] > 0 && seen.height(slot) > 0.2 && seen.height(slot) < 1.4)
-      CHECK(seen.diameter(slot) < 0.7);
+      CGAL_CHECK(seen.diameter(slot) < 0.7);
 }
 
 void a_slot_without_a_section_repeats_the_one_before()
@@ -140,12 +140,12 @@ void a_slot_without_a_section_repeats_the_one_before()
   const Seen_from_below row(sheet(30, 1)); // 30 faces in 100 slots
   for (std::size_t slot = 1; slot < number_of_slots; ++slot)
     if (row.counts().counts[slot] == 0)
-      CHECK_EQUAL(row.diameter(slot), row.diameter(slot - 1));
+      CGAL_CHECK_EQUAL(row.diameter(slot), row.diameter(slot - 1));
   const Seen_from_below point(scaled(icosphere(1), 0));
   for (std::size_t slot = 0; slot < number_of_slots; ++slot)
-    CHECK_EQUAL(point.diameter(slot), 0);
+    CGAL_CHECK_EQUAL(point.diameter(slot), 0);
   const Seen_from_below triangle(single_triangle());
-  CHECK_EQUAL(triangle.diameter(99), 0);
+  CGAL_CHECK_EQUAL(triangle.diameter(99), 0);
 }
 
 void no_diameter_is_below_zero_or_beyond_the_body()
@@ -159,7 +159,7 @@ void no_diameter_is_below_zero_or_beyond_the_body()
         largest = (std::max)(largest, length(p - q));
     const Seen_from_below seen(mesh);
     for (std::size_t slot = 0; slot < number_of_slots; ++slot)
-      CHECK(seen.diameter(slot) >= 0 && seen.diameter(slot) <= largest * (1 + 1e-12));
+      CGAL_CHECK(seen.diameter(slot) >= 0 && seen.diameter(slot) <= largest * (1 + 1e-12));
   }
 }
 
@@ -170,7 +170,7 @@ void first_slots_have_the_diameters_that_they_have_among_all()
   {
     const auto first = seen.first_diameters(number);
     for (std::size_t slot = 0; slot < number_of_slots; ++slot)
-      CHECK_EQUAL(first[slot], slot < number ? seen.diameter(slot) : 0);
+      CGAL_CHECK_EQUAL(first[slot], slot < number ? seen.diameter(slot) : 0);
   }
 }
 

@@ -46,22 +46,22 @@ void a_border_around_a_cylinder_is_closed()
   const Test_mesh soup = revolution(Profile(0.25).line(1, 0, 1, 2, 0).line(1, 2, 1, 3, 1), slices);
   for (const std::vector<Border>& found : {borders<Mesh>(soup, soup.parts), borders<CGAL::Polyhedron_3<Kernel>>(soup, soup.parts)})
   {
-    CHECK_EQUAL(found.size(), 1);
+    CGAL_CHECK_EQUAL(found.size(), 1);
     const Border& border = found.front();
-    CHECK(border.is_closed);
-    CHECK_EQUAL(border.points.size(), slices);
-    CHECK_CLOSE(border.length, 2. * slices * std::sin(pi / slices), 1e-12);
-    CHECK_EQUAL(border.segments[0], 0);
-    CHECK_EQUAL(border.segments[1], 1);
+    CGAL_CHECK(border.is_closed);
+    CGAL_CHECK_EQUAL(border.points.size(), slices);
+    CGAL_CHECK_CLOSE(border.length, 2. * slices * std::sin(pi / slices), 1e-12);
+    CGAL_CHECK_EQUAL(border.segments[0], 0);
+    CGAL_CHECK_EQUAL(border.segments[1], 1);
     double turn = 0; // clockwise seen from above: segment 0, which is below, is on the left
     for (std::size_t i = 0; i < slices; ++i)
     {
       const auto& p = border.points[i];
       const auto& q = border.points[(i + 1) % slices];
-      CHECK_CLOSE(p.z(), 2, 1e-12);
+      CGAL_CHECK_CLOSE(p.z(), 2, 1e-12);
       turn += p.x() * q.y() - p.y() * q.x();
     }
-    CHECK(turn < 0);
+    CGAL_CHECK(turn < 0);
   }
 }
 
@@ -73,12 +73,12 @@ void lines_end_at_the_boundary()
   for (const Face& face : soup.faces)
     labels.push_back(static_cast<std::size_t>(centroid(soup, face)[0] / 2));
   const std::vector<Border> found = borders<Mesh>(soup, labels);
-  CHECK_EQUAL(found.size(), 2);
+  CGAL_CHECK_EQUAL(found.size(), 2);
   for (const Border& border : found)
   {
-    CHECK(!border.is_closed);
-    CHECK_CLOSE(border.length, 4, 1e-12);
-    CHECK_EQUAL(border.segments[1], border.segments[0] + 1);
+    CGAL_CHECK(!border.is_closed);
+    CGAL_CHECK_CLOSE(border.length, 4, 1e-12);
+    CGAL_CHECK_EQUAL(border.segments[1], border.segments[0] + 1);
   }
 }
 
@@ -97,20 +97,20 @@ void lines_end_where_three_segments_meet()
     labels.push_back(side);
   }
   const std::vector<Border> found = borders<Mesh>(soup, labels);
-  CHECK_EQUAL(found.size(), 12);
+  CGAL_CHECK_EQUAL(found.size(), 12);
   for (std::size_t i = 0; i < found.size(); ++i)
   {
-    CHECK_EQUAL(found[i].points.size(), 4);
-    CHECK_CLOSE(found[i].length, 3, 1e-12);
-    CHECK(found[i].segments[0] < found[i].segments[1]);
-    CHECK(i == 0 || found[i - 1].segments < found[i].segments);
+    CGAL_CHECK_EQUAL(found[i].points.size(), 4);
+    CGAL_CHECK_CLOSE(found[i].length, 3, 1e-12);
+    CGAL_CHECK(found[i].segments[0] < found[i].segments[1]);
+    CGAL_CHECK(i == 0 || found[i - 1].segments < found[i].segments);
   }
 }
 
 void one_segment_has_no_borders()
 {
   const Test_mesh soup = sheet(3, 3);
-  CHECK(borders<Mesh>(soup, std::vector<std::size_t>(soup.faces.size(), 4)).empty());
+  CGAL_CHECK(borders<Mesh>(soup, std::vector<std::size_t>(soup.faces.size(), 4)).empty());
 }
 
 int main()

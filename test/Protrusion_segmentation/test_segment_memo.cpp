@@ -52,26 +52,26 @@ void segments_are_found_by_their_nodes(std::uint_fast32_t seed)
   for (Index s = 0; s < memo.number_of_segments() && s < 30; ++s)
   {
     const Nodes nodes = memo[s].segment.nodes;
-    CHECK_CLOSE(memo[s].segment.area, area_of(graph, Node_set(nodes.begin(), nodes.end())), 1e-12);
-    CHECK(!memo[s].is_searched && memo[s].cuts.empty());
+    CGAL_CHECK_CLOSE(memo[s].segment.area, area_of(graph, Node_set(nodes.begin(), nodes.end())), 1e-12);
+    CGAL_CHECK(!memo[s].is_searched && memo[s].cuts.empty());
     const std::vector<internal::Cut> cuts = random_cuts(nodes, random);
     memo.set_cuts(s, cuts);
-    CHECK(memo[s].is_searched);
-    CHECK_EQUAL(memo[s].cuts.size(), cuts.size());
+    CGAL_CHECK(memo[s].is_searched);
+    CGAL_CHECK_EQUAL(memo[s].cuts.size(), cuts.size());
     for (const internal::Cut& cut : cuts)
     {
       const Cut_set::Made_cut made = memo.made_cut(s, cut);
-      CHECK_EQUAL(made.segment, s);
-      CHECK_EQUAL(made.value, cut.value);
+      CGAL_CHECK_EQUAL(made.segment, s);
+      CGAL_CHECK_EQUAL(made.value, cut.value);
       for (const Index side : {made.inner, made.outer})
-        CHECK_EQUAL(expected.emplace(memo[side].segment.nodes, side).first->second, side);
-      CHECK(memo[made.inner].segment.nodes == cut.inner);
-      CHECK(memo[made.outer].segment.nodes == internal::other_side(memo[s].segment, cut.inner));
-      CHECK_EQUAL(memo.find_or_add(cut.inner), made.inner);
+        CGAL_CHECK_EQUAL(expected.emplace(memo[side].segment.nodes, side).first->second, side);
+      CGAL_CHECK(memo[made.inner].segment.nodes == cut.inner);
+      CGAL_CHECK(memo[made.outer].segment.nodes == internal::other_side(memo[s].segment, cut.inner));
+      CGAL_CHECK_EQUAL(memo.find_or_add(cut.inner), made.inner);
     }
   }
-  CHECK_EQUAL(expected.size(), memo.number_of_segments());
-  CHECK(whole == &memo[0]); // others are added, addresses stay
+  CGAL_CHECK_EQUAL(expected.size(), memo.number_of_segments());
+  CGAL_CHECK(whole == &memo[0]); // others are added, addresses stay
 }
 
 // Two arms are cut off in one order and in the other one: what is left is one and the same segment.
@@ -88,20 +88,20 @@ void a_segment_is_the_same_in_any_order_of_cuts()
                           second_of_whole = memo.made_cut(whole, second);
   const Cut_set::Made_cut second_of_rest = memo.made_cut(first_of_whole.outer, second);
   const Cut_set::Made_cut first_of_rest = memo.made_cut(second_of_whole.outer, first);
-  CHECK_EQUAL(first_of_rest.outer, second_of_rest.outer);
-  CHECK_EQUAL(memo.number_of_segments(), 6u);
+  CGAL_CHECK_EQUAL(first_of_rest.outer, second_of_rest.outer);
+  CGAL_CHECK_EQUAL(memo.number_of_segments(), 6u);
 }
 
 // Sets of cuts with equal segments are equal, whatever the order of the cuts; the order of the cuts remains known.
 void sets_add_up()
 {
   const Cut_set whole = {{0}, {}, 0};
-  CHECK(whole.in_order_of_cuts() == std::vector<Index>{0});
+  CGAL_CHECK(whole.in_order_of_cuts() == std::vector<Index>{0});
   const Cut_set set = whole.with({0, 5, 2, 0.5}).with({2, 7, 1, 0.25}).with({5, 3, 4, -0.125});
-  CHECK((set.segments == std::vector<Index>{1, 3, 4, 7}));
-  CHECK((set.in_order_of_cuts() == std::vector<Index>{7, 1, 3, 4}));
-  CHECK_EQUAL(set.value, 0.625);
-  CHECK_EQUAL(set.cuts.size(), 3u);
+  CGAL_CHECK((set.segments == std::vector<Index>{1, 3, 4, 7}));
+  CGAL_CHECK((set.in_order_of_cuts() == std::vector<Index>{7, 1, 3, 4}));
+  CGAL_CHECK_EQUAL(set.value, 0.625);
+  CGAL_CHECK_EQUAL(set.cuts.size(), 3u);
 }
 
 int main()

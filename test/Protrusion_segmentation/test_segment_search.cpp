@@ -57,15 +57,15 @@ void best_cuts_of_a_star_are_its_arms()
   const std::vector<Cut> cuts = of_mesh.search({&of_mesh.whole}).front();
   // more than one, but not always all: the others are found in what remains
   constexpr std::size_t least_number = 3;
-  CHECK(cuts.size() >= least_number);
+  CGAL_CHECK(cuts.size() >= least_number);
   for (std::size_t c = 0; c < cuts.size(); ++c)
   {
-    CHECK(c == 0 || cuts[c].value <= cuts[c - 1].value);
+    CGAL_CHECK(c == 0 || cuts[c].value <= cuts[c - 1].value);
     if (c >= least_number)
       continue;
-    CHECK(cuts[c].value > 0);
+    CGAL_CHECK(cuts[c].value > 0);
     const std::vector<double> areas = areas_of_parts(of_mesh, mesh, cuts[c].inner);
-    CHECK(*std::max_element(areas.begin() + 1, areas.end()) >
+    CGAL_CHECK(*std::max_element(areas.begin() + 1, areas.end()) >
           0.9 * std::accumulate(areas.begin(), areas.end(), 0.));
   }
 }
@@ -80,13 +80,13 @@ void segments_are_searched_independently()
                                   1 - of_mesh.graphs.coarse.area_of(first.inner)};
   const auto one_by_one = of_mesh.search({&rest}).front();
   const auto both = other.search({&rest, &other.whole});
-  CHECK_EQUAL(both.size(), 2u);
-  CHECK(both[1].front().inner == first.inner);
-  CHECK_EQUAL(both[0].size(), one_by_one.size());
+  CGAL_CHECK_EQUAL(both.size(), 2u);
+  CGAL_CHECK(both[1].front().inner == first.inner);
+  CGAL_CHECK_EQUAL(both[0].size(), one_by_one.size());
   for (std::size_t c = 0; c < (std::min)(one_by_one.size(), both[0].size()); ++c)
   {
-    CHECK(both[0][c].inner == one_by_one[c].inner);
-    CHECK_EQUAL(both[0][c].value, one_by_one[c].value);
+    CGAL_CHECK(both[0][c].inner == one_by_one[c].inner);
+    CGAL_CHECK_EQUAL(both[0][c].value, one_by_one[c].value);
   }
 }
 
@@ -101,11 +101,11 @@ void cuts_are_valid(const Test_mesh& mesh)
   for (const Cut& cut : cuts)
   {
     const Nodes outer = internal::other_side(of_mesh.whole, cut.inner);
-    CHECK(!cut.inner.empty() && !outer.empty());
-    CHECK(are_connected(partition, cut.inner) && are_connected(partition, outer));
-    CHECK(internal::is_large_enough(graph.area_of(cut.inner), 1));
-    CHECK(std::find(sides.begin(), sides.end(), cut.inner) == sides.end());
-    CHECK(cut.probability > 0 && cut.probability < 1);
+    CGAL_CHECK(!cut.inner.empty() && !outer.empty());
+    CGAL_CHECK(are_connected(partition, cut.inner) && are_connected(partition, outer));
+    CGAL_CHECK(internal::is_large_enough(graph.area_of(cut.inner), 1));
+    CGAL_CHECK(std::find(sides.begin(), sides.end(), cut.inner) == sides.end());
+    CGAL_CHECK(cut.probability > 0 && cut.probability < 1);
     sides.push_back(cut.inner);
   }
 }

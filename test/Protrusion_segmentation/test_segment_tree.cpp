@@ -56,32 +56,32 @@ void check_tree(const Areas& areas, const Lengths& lengths)
 {
   const Segment_tree tree(areas, lengths);
   const double whole = std::accumulate(areas.begin(), areas.end(), 0.);
-  CHECK_EQUAL(tree.parent(tree.body()), tree.body());
-  CHECK_EQUAL(tree.area_beyond(tree.body()), whole);
+  CGAL_CHECK_EQUAL(tree.parent(tree.body()), tree.body());
+  CGAL_CHECK_EQUAL(tree.area_beyond(tree.body()), whole);
   for (Index s = 0; s < areas.size(); ++s)
   {
     if (s == tree.body())
       continue;
-    CHECK_EQUAL(lengths.count(std::minmax(s, tree.parent(s))), 1u);
+    CGAL_CHECK_EQUAL(lengths.count(std::minmax(s, tree.parent(s))), 1u);
     const std::set<Index> beyond = side_of(s, tree.parent(s), lengths);
-    CHECK(beyond.count(tree.body()) == 0 && beyond.count(tree.parent(s)) == 0);
-    CHECK_EQUAL(tree.area_beyond(s), sum_over(beyond, areas));
-    CHECK(2 * tree.area_beyond(s) <= whole);
+    CGAL_CHECK(beyond.count(tree.body()) == 0 && beyond.count(tree.parent(s)) == 0);
+    CGAL_CHECK_EQUAL(tree.area_beyond(s), sum_over(beyond, areas));
+    CGAL_CHECK(2 * tree.area_beyond(s) <= whole);
   }
 }
 
 void a_single_segment_is_the_body()
 {
   check_tree({3}, {});
-  CHECK_EQUAL(Segment_tree({3}, {}).body(), 0);
+  CGAL_CHECK_EQUAL(Segment_tree({3}, {}).body(), 0);
 }
 
 void the_body_of_a_path_holds_its_middle()
 {
   const Lengths path = {{{0, 1}, 1}, {{1, 2}, 1}, {{2, 3}, 1}, {{3, 4}, 1}};
-  CHECK_EQUAL(Segment_tree({1, 1, 1, 1, 1}, path).body(), 2);
-  CHECK_EQUAL(Segment_tree({1, 1, 1, 1, 7}, path).body(), 4);
-  CHECK_EQUAL(Segment_tree({1, 1, 1, 4, 2}, path).body(), 3);
+  CGAL_CHECK_EQUAL(Segment_tree({1, 1, 1, 1, 1}, path).body(), 2);
+  CGAL_CHECK_EQUAL(Segment_tree({1, 1, 1, 1, 7}, path).body(), 4);
+  CGAL_CHECK_EQUAL(Segment_tree({1, 1, 1, 4, 2}, path).body(), 3);
   for (const Areas& areas : {Areas{1, 1, 1, 1, 1}, {1, 1, 1, 1, 7}, {1, 1, 1, 4, 2}, {7, 1, 0, 1, 1}})
     check_tree(areas, path);
 }
@@ -98,11 +98,11 @@ void the_centre_of_a_star_is_the_body_unless_an_arm_is_larger_than_the_rest()
         lengths[std::minmax(s, centre)] = 1 + double(s % 3);
     Areas areas(arms + 1, 1);
     areas[centre] = 0;
-    CHECK_EQUAL(Segment_tree(areas, lengths).body(), centre);
+    CGAL_CHECK_EQUAL(Segment_tree(areas, lengths).body(), centre);
     check_tree(areas, lengths);
     const Index large = (centre + 1) % (arms + 1);
     areas[large] = arms;
-    CHECK_EQUAL(Segment_tree(areas, lengths).body(), large);
+    CGAL_CHECK_EQUAL(Segment_tree(areas, lengths).body(), large);
     check_tree(areas, lengths);
   }
 }
@@ -115,9 +115,9 @@ void the_first_of_equal_halves_is_the_body()
   {
     const double x = random.real(0, 1) / 3, y = random.real(0, 1) / 3; // all digits used
     const Segment_tree tree({x, y, x, y}, {{{0, 1}, 1}, {{2, 3}, 1}, {{0, 2}, 1}});
-    CHECK_EQUAL(tree.body(), 0);
-    CHECK_EQUAL(tree.parent(2), 0);
-    CHECK_CLOSE(tree.area_beyond(2), x + y, 1e-15);
+    CGAL_CHECK_EQUAL(tree.body(), 0);
+    CGAL_CHECK_EQUAL(tree.parent(2), 0);
+    CGAL_CHECK_CLOSE(tree.area_beyond(2), x + y, 1e-15);
   }
 }
 
@@ -135,8 +135,8 @@ void arms_that_touch_stick_out_of_the_body()
     }
     return parents_of(Segment_tree(Areas(arms + 1, 1), lengths), arms + 1);
   };
-  CHECK(tree_with_borders(2) == Parents(arms + 1, 0));
-  CHECK(tree_with_borders(0.4) == Parents(arms + 1, 0));
+  CGAL_CHECK(tree_with_borders(2) == Parents(arms + 1, 0));
+  CGAL_CHECK(tree_with_borders(0.4) == Parents(arms + 1, 0));
 }
 
 // An ear touches the trunk with less than a quarter of its border with the head.
@@ -145,16 +145,16 @@ void a_short_border_with_the_body_does_not_count()
   const auto parent_of_ear = [](double with_trunk) {
     return Segment_tree({9, 3, 1}, {{{0, 1}, 4}, {{1, 2}, 2}, {{0, 2}, with_trunk}}).parent(2);
   };
-  CHECK_EQUAL(parent_of_ear(0), 1);
-  CHECK_EQUAL(parent_of_ear(0.45), 1);
-  CHECK_EQUAL(parent_of_ear(0.55), 0);
+  CGAL_CHECK_EQUAL(parent_of_ear(0), 1);
+  CGAL_CHECK_EQUAL(parent_of_ear(0.45), 1);
+  CGAL_CHECK_EQUAL(parent_of_ear(0.55), 0);
 }
 
 // A border of no length is one, too: two halves are connected by nothing else.
 void a_border_may_have_no_length()
 {
   const Segment_tree tree({1, 1, 5, 1}, {{{0, 1}, 1}, {{1, 2}, 0}, {{2, 3}, 1}});
-  CHECK(parents_of(tree, 4) == (Parents{1, 2, 2, 2}));
+  CGAL_CHECK(parents_of(tree, 4) == (Parents{1, 2, 2, 2}));
   check_tree({1, 1}, {{{0, 1}, 0}});
 }
 
@@ -193,8 +193,8 @@ void random_borders(std::uint_fast32_t seed)
   for (Index s = 0; s < n; ++s)
     if (s != tree.body())
     {
-      CHECK_EQUAL(lengths.count(std::minmax(s, tree.parent(s))), 1u);
-      CHECK(2 * tree.area_beyond(s) <= whole * (1 + 1e-6));
+      CGAL_CHECK_EQUAL(lengths.count(std::minmax(s, tree.parent(s))), 1u);
+      CGAL_CHECK(2 * tree.area_beyond(s) <= whole * (1 + 1e-6));
     }
 }
 
@@ -228,7 +228,7 @@ void arms_of_an_octopus()
     const Point along = {std::cos(turn), std::sin(turn), 0};
     sticks.push_back({0.3 * along, 3 * along + Point{0, 0, -0.5}, 0.38, 0.15, 1 + i});
   }
-  CHECK(parents_of_parts(sticks, arms + 1) == Parents(arms + 1, 0));
+  CGAL_CHECK(parents_of_parts(sticks, arms + 1) == Parents(arms + 1, 0));
 }
 
 // Trunk 0, head 1 with ears 2 and 3, arms 4 and 5, legs 6 and 7.
@@ -242,7 +242,7 @@ void parts_of_a_teddy()
     sticks.push_back({{0, side * 0.6, 0.9}, {0.6, side * 1.6, 0.5}, 0.3, 0.3, 4 + i});
     sticks.push_back({{0.2, side * 0.5, -0.6}, {1.6, side * 0.9, -0.8}, 0.4, 0.38, 6 + i});
   }
-  CHECK(parents_of_parts(sticks, 8) == (Parents{0, 0, 1, 1, 0, 0, 0, 0}));
+  CGAL_CHECK(parents_of_parts(sticks, 8) == (Parents{0, 0, 1, 1, 0, 0, 0, 0}));
 }
 
 // Palm 0, fingers 1 to 4 side by side, thumb 5, forearm 6.
@@ -256,7 +256,7 @@ void fingers_of_a_hand()
     const double y = 0.4 * (double(i) - 1.5);
     sticks.push_back({{0, y, 0.3}, {0, 1.3 * y, 1.6}, 0.23, 0.16, 1 + i});
   }
-  CHECK(parents_of_parts(sticks, 7) == Parents(7, 0));
+  CGAL_CHECK(parents_of_parts(sticks, 7) == Parents(7, 0));
 }
 
 // Seat 0, legs 1 to 4, back 5 between stiles 6 and 7.
@@ -273,8 +273,8 @@ void parts_of_a_chair()
   for (const double y : {-0.8, 0.8})
     sticks.push_back({{-0.8, y, 0}, {-0.9, y, 1.9}, 0.16, 0.14, part++});
   const Parents parents = parents_of_parts(sticks, 8);
-  CHECK(Parents(parents.begin(), parents.begin() + 5) == Parents(5, 0));
-  CHECK(parents[6] == 0 && parents[7] == 0 && (parents[5] == 6 || parents[5] == 7));
+  CGAL_CHECK(Parents(parents.begin(), parents.begin() + 5) == Parents(5, 0));
+  CGAL_CHECK(parents[6] == 0 && parents[7] == 0 && (parents[5] == 6 || parents[5] == 7));
 }
 
 // Trunk 0, head 1, upper arms 2 and 3, forearms 4 and 5, hands 6 and 7, thighs 8 and 9, shanks 10 and 11.
@@ -295,7 +295,7 @@ void limbs_of_a_figure()
     sticks.push_back({hip, knee, 0.25, 0.2, 8 + i});
     sticks.push_back({knee, {0, side * 0.3, -2.7}, 0.2, 0.14, 10 + i});
   }
-  CHECK(parents_of_parts(sticks, 12) == (Parents{0, 0, 0, 0, 2, 3, 4, 5, 0, 0, 8, 9}));
+  CGAL_CHECK(parents_of_parts(sticks, 12) == (Parents{0, 0, 0, 0, 2, 3, 4, 5, 0, 0, 8, 9}));
 }
 
 // Trunk 0, three branches 1 to 3 that begin at one height, with two twigs each from 4 on.
@@ -316,7 +316,7 @@ void twigs_of_a_tree()
       expected.push_back(Index(1 + i));
     }
   }
-  CHECK(parents_of_parts(sticks, expected.size()) == expected);
+  CGAL_CHECK(parents_of_parts(sticks, expected.size()) == expected);
 }
 
 int main()

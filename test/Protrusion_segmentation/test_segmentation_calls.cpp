@@ -17,7 +17,7 @@ using Face_descriptor = Mesh::Face_index;
 template <typename Segment>
 void check_labels(const Labels& expected, Segment segment)
 {
-  CHECK(checked(star_mesh(), segment).labels == expected);
+  CGAL_CHECK(checked(star_mesh(), segment).labels == expected);
 }
 
 template <typename Method>
@@ -37,7 +37,7 @@ void numbers_of_segments(Number k)
   const Minimum_cut_method minimum_cut;
   const Histogram_method histogram;
   static const Labels by_default = labels_by(minimum_cut), by_histogram = labels_by(histogram);
-  CHECK(by_default != by_histogram);
+  CGAL_CHECK(by_default != by_histogram);
   const auto via = [&](const Labels& expected, const auto&... others)
   {
     check_labels(expected, [&](auto ids)
@@ -69,10 +69,10 @@ void numbers_of_tips(Number n)
     return result;
   };
   const std::vector<Face_descriptor> expected = tips();
-  CHECK_EQUAL(expected.size(), n);
-  CHECK(tips(np) == expected);
-  CHECK(tips(Geodesic_distance()) == expected);
-  CHECK(tips(Geodesic_distance(), np) == expected);
+  CGAL_CHECK_EQUAL(expected.size(), n);
+  CGAL_CHECK(tips(np) == expected);
+  CGAL_CHECK(tips(Geodesic_distance()) == expected);
+  CGAL_CHECK(tips(Geodesic_distance(), np) == expected);
 }
 
 void numbers_may_have_any_integer_type()
@@ -101,13 +101,13 @@ std::size_t evident(const Others&... others)
 void without_a_number()
 {
   const auto np = parameters::random_seed(0);
-  CHECK_EQUAL(evident(), 5);
-  CHECK_EQUAL(evident(np), 5);
-  CHECK_EQUAL(evident(Minimum_cut_method()), 5);
-  CHECK_EQUAL(evident(Minimum_cut_method(), np), 5);
+  CGAL_CHECK_EQUAL(evident(), 5);
+  CGAL_CHECK_EQUAL(evident(np), 5);
+  CGAL_CHECK_EQUAL(evident(Minimum_cut_method()), 5);
+  CGAL_CHECK_EQUAL(evident(Minimum_cut_method(), np), 5);
   const std::size_t by_histogram = evident(Histogram_method());
-  CHECK(by_histogram >= 5);
-  CHECK_EQUAL(evident(Histogram_method(), np), by_histogram);
+  CGAL_CHECK(by_histogram >= 5);
+  CGAL_CHECK_EQUAL(evident(Histogram_method(), np), by_histogram);
 }
 
 template <typename... Others>
@@ -124,10 +124,10 @@ void from_given_tips()
   std::vector<Face_descriptor> tips;
   CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips));
   const Labels expected = from_tips(tips);
-  CHECK(from_tips(tips, np) == expected);
-  CHECK(from_tips(tips, Minimum_cut_method()) == expected);
-  CHECK(from_tips(tips, Minimum_cut_method(), np) == expected);
-  CHECK(from_tips(tips, Histogram_method(), np) == from_tips(tips, Histogram_method()));
+  CGAL_CHECK(from_tips(tips, np) == expected);
+  CGAL_CHECK(from_tips(tips, Minimum_cut_method()) == expected);
+  CGAL_CHECK(from_tips(tips, Minimum_cut_method(), np) == expected);
+  CGAL_CHECK(from_tips(tips, Histogram_method(), np) == from_tips(tips, Histogram_method()));
 }
 
 // All templates that take one, with the tag in front.
@@ -146,12 +146,12 @@ void with_tag()
                [&](auto ids) { return CGAL::segmentation_via_protrusion_tips<Tag>(mesh, ids, method); });
   check_labels(expected, [&](auto ids)
                { return CGAL::segmentation_via_protrusion_tips<Tag>(mesh, ids, 5, method, np); });
-  CHECK_EQUAL(CGAL::protrusion_hierarchy<Tag>(mesh, 5).maximum_number_of_segments(), 5);
-  CHECK_EQUAL(CGAL::protrusion_hierarchy<Tag>(mesh, 5, method, np).maximum_number_of_segments(), 5);
+  CGAL_CHECK_EQUAL(CGAL::protrusion_hierarchy<Tag>(mesh, 5).maximum_number_of_segments(), 5);
+  CGAL_CHECK_EQUAL(CGAL::protrusion_hierarchy<Tag>(mesh, 5, method, np).maximum_number_of_segments(), 5);
   std::vector<Face_descriptor> tips;
   CGAL::protrusion_tips<Tag>(mesh, 4, std::back_inserter(tips));
   CGAL::protrusion_tips<Tag>(mesh, 4, std::back_inserter(tips), Landmark_geodesic_distance(), np);
-  CHECK_EQUAL(tips.size(), 8);
+  CGAL_CHECK_EQUAL(tips.size(), 8);
   tips.resize(4);
   for (int i = 0; i < 2; ++i)
     check_labels(from_tips(tips),
@@ -170,14 +170,14 @@ void check_refused_number(Number k, const std::string& number)
                               std::to_string(star_mesh().number_of_faces()) + ", the number of faces of pmesh";
   const Mesh& mesh = star_mesh();
   Segment_ids<Mesh> ids(mesh);
-  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k), std::invalid_argument,
                     message);
-  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Histogram_method()),
+  CGAL_CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), k, Histogram_method()),
                     std::invalid_argument, message);
-  CHECK_THROWS_WITH(CGAL::protrusion_hierarchy(mesh, k), std::invalid_argument, "maximum_" + message);
-  CHECK_THROWS_WITH(CGAL::protrusion_hierarchy(mesh, k, Histogram_method()), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(CGAL::protrusion_hierarchy(mesh, k), std::invalid_argument, "maximum_" + message);
+  CGAL_CHECK_THROWS_WITH(CGAL::protrusion_hierarchy(mesh, k, Histogram_method()), std::invalid_argument,
                     "maximum_" + message);
-  CHECK(is_untouched({0, ids.labels()}));
+  CGAL_CHECK(is_untouched({0, ids.labels()}));
 }
 
 // None of them becomes a huge number.
@@ -193,13 +193,13 @@ void numbers_below_one_are_refused()
   check_refused_number(std::size_t(0), "0");
   check_refused_number((std::numeric_limits<std::size_t>::max)(), "18446744073709551615");
   std::vector<Face_descriptor> tips;
-  CHECK_THROWS_WITH(CGAL::protrusion_tips(star_mesh(), -3, std::back_inserter(tips)),
+  CGAL_CHECK_THROWS_WITH(CGAL::protrusion_tips(star_mesh(), -3, std::back_inserter(tips)),
                     std::invalid_argument, "number_of_tips is -3, but it must be from 0 to ");
-  CHECK_THROWS_WITH(
+  CGAL_CHECK_THROWS_WITH(
     CGAL::protrusion_tips(star_mesh(), -3l, std::back_inserter(tips), Geodesic_distance()),
     std::invalid_argument, "number_of_tips is -3, but it must be from 0 to ");
   CGAL::protrusion_tips(star_mesh(), 0, std::back_inserter(tips));
-  CHECK(tips.empty());
+  CGAL_CHECK(tips.empty());
 }
 
 template <typename Id, typename Segment>
@@ -207,9 +207,9 @@ void check_narrow_ids(Segment segment, const std::string& message)
 {
   Mesh mesh = star_mesh();
   const auto ids = mesh.add_property_map<Face_descriptor, Id>("f:id", Id(1)).first;
-  CHECK_THROWS_WITH(segment(mesh, ids), std::invalid_argument, message);
+  CGAL_CHECK_THROWS_WITH(segment(mesh, ids), std::invalid_argument, message);
   for (const Face_descriptor f : mesh.faces())
-    CHECK_EQUAL(ids[f], Id(1));
+    CGAL_CHECK_EQUAL(ids[f], Id(1));
 }
 
 // Two segments would become one.
@@ -225,8 +225,8 @@ void ids_must_fit_into_the_map()
   check_narrow_ids<bool>(of_hierarchy, "holds numbers up to 1, but there is a segment ");
   Mesh mesh = star_mesh();
   const auto ids = mesh.add_property_map<Face_descriptor, unsigned char>("f:id").first;
-  CHECK_EQUAL(CGAL::segmentation_via_protrusion_tips(mesh, ids, 5), 5);
-  CHECK_EQUAL(*std::max_element(ids.begin(), ids.end()), 4);
+  CGAL_CHECK_EQUAL(CGAL::segmentation_via_protrusion_tips(mesh, ids, 5), 5);
+  CGAL_CHECK_EQUAL(*std::max_element(ids.begin(), ids.end()), 4);
 }
 
 int main()

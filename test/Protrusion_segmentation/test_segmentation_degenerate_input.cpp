@@ -30,15 +30,15 @@ void check_method(const Mesh& mesh, const std::vector<Mesh::Face_index>& tips, c
     {
       const Segmentation found = checked(
         mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, method); });
-      CHECK(found.number >= 1);
+      CGAL_CHECK(found.number >= 1);
     }
   const Segmentation found = checked(
     mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, method); });
-  CHECK_EQUAL(found.number > 0, n > 0);
+  CGAL_CHECK_EQUAL(found.number > 0, n > 0);
 
   const Segmentation from_tips = checked(
     mesh, [&](auto ids) { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, method); });
-  CHECK_EQUAL(from_tips.number > 0, n > 0);
+  CGAL_CHECK_EQUAL(from_tips.number > 0, n > 0);
 }
 
 template <typename Distance>
@@ -85,7 +85,7 @@ void a_mesh_without_faces_has_no_segments()
   vertices.add_vertex({1, 2, 3});
   check_valid(vertices);
   Segment_ids<Mesh> ids(vertices);
-  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(vertices, ids.map(), 1), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(vertices, ids.map(), 1), std::invalid_argument,
                     "number_of_segments is 1, but it must be from 1 to 0, the number of faces of pmesh");
 }
 
@@ -98,7 +98,7 @@ void isolated_vertices_and_removed_faces()
   check_valid(mesh);
   for (unsigned int f = 0; f < 120; f += 3)
     CGAL::Euler::remove_face(halfedge(Mesh::Face_index(f), mesh), mesh);
-  CHECK(mesh.has_garbage());
+  CGAL_CHECK(mesh.has_garbage());
   check_valid(mesh);
 }
 
@@ -112,7 +112,7 @@ void bodies_without_protrusions_are_one_segment()
       const Mesh mesh = to_graph<Mesh>(body.mesh);
       const Segmentation found = checked(mesh, [&](auto ids)
                                          { return CGAL::segmentation_via_protrusion_tips(mesh, ids); });
-      CHECK_EQUAL(body.name + ": " + std::to_string(found.number), body.name + ": 1");
+      CGAL_CHECK_EQUAL(body.name + ": " + std::to_string(found.number), body.name + ": 1");
     }
 }
 
@@ -125,9 +125,9 @@ void orientation_does_not_matter()
     const Mesh mesh = to_graph<Mesh>(reversed ? with_reversed_orientation(soup) : soup);
     const Segmentation found = checked(mesh, [&](auto ids)
                                        { return CGAL::segmentation_via_protrusion_tips(mesh, ids, 5); });
-    CHECK_EQUAL(found.number, 5);
-    CHECK(share_in_true_parts(soup, found.labels) > 0.95);
-    CHECK(share_in_true_parts(soup, paper_segmentation(mesh, 5).labels) > 0.9);
+    CGAL_CHECK_EQUAL(found.number, 5);
+    CGAL_CHECK(share_in_true_parts(soup, found.labels) > 0.95);
+    CGAL_CHECK(share_in_true_parts(soup, paper_segmentation(mesh, 5).labels) > 0.9);
   }
 }
 
@@ -139,15 +139,15 @@ void check_not_finite(const Number& bad)
   Bad_mesh mesh = to_graph<Bad_mesh>(icosphere(2));
   mesh.point(typename Bad_mesh::Vertex_index(20)) = {1, bad, 0};
   Segment_ids<Bad_mesh> ids(mesh);
-  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3), std::invalid_argument,
                     "vertex 20 has a coordinate that is not finite");
-  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3, Histogram_method()),
+  CGAL_CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 3, Histogram_method()),
                     std::invalid_argument, "not finite");
-  CHECK(is_untouched({0, ids.labels()}));
+  CGAL_CHECK(is_untouched({0, ids.labels()}));
   std::vector<typename Bad_mesh::Face_index> tips;
-  CHECK_THROWS_WITH(CGAL::protrusion_tips(mesh, 3, std::back_inserter(tips), Geodesic_distance()),
+  CGAL_CHECK_THROWS_WITH(CGAL::protrusion_tips(mesh, 3, std::back_inserter(tips), Geodesic_distance()),
                     std::invalid_argument, "not finite");
-  CHECK(tips.empty());
+  CGAL_CHECK(tips.empty());
 }
 
 // A number of an exact kernel may be finite and yet no double.
@@ -166,11 +166,11 @@ void the_number_of_segments_must_be_possible()
 {
   const Mesh mesh = to_graph<Mesh>(tetrahedron());
   Segment_ids<Mesh> ids(mesh);
-  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 0), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 0), std::invalid_argument,
                     "number_of_segments is 0");
-  CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 5), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(mesh, ids.map(), 5), std::invalid_argument,
                     "number_of_segments is 5, but it must be from 1 to 4, the number of faces of pmesh");
-  CHECK(is_untouched({0, ids.labels()}));
+  CGAL_CHECK(is_untouched({0, ids.labels()}));
 }
 
 // As many segments as faces are asked for.
@@ -178,7 +178,7 @@ void more_segments_than_can_be_found_come_to_an_end()
 {
   const Mesh mesh = to_graph<Mesh>(bumpy_sphere(2, 9));
   const Segmentation found = paper_segmentation(mesh, mesh.number_of_faces());
-  CHECK(found.number >= 1 && found.number <= mesh.number_of_faces());
+  CGAL_CHECK(found.number >= 1 && found.number <= mesh.number_of_faces());
 }
 
 // Components have the first ids; the others go where the best protrusions are: all eight arms of two equal
@@ -191,14 +191,14 @@ void components_share_the_segments()
   {
     const Segmentation found = checked(mesh, [&](auto ids)
                                        { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k); });
-    CHECK_EQUAL(found.number, std::max<std::size_t>(k, 3));
+    CGAL_CHECK_EQUAL(found.number, std::max<std::size_t>(k, 3));
     std::vector<std::set<std::size_t>> segments(3);
     for (std::size_t f = 0; f < found.labels.size(); ++f)
       segments[f < body.faces.size() ? 0 : f < body.faces.size() + 80 ? 1 : 2].insert(found.labels[f]);
     for (std::size_t component = 0; component < 3; ++component)
     {
-      CHECK(*segments[component].begin() < 3);
-      CHECK_EQUAL(segments[component].size(), component == 1 || k <= 3 ? 1 : 5);
+      CGAL_CHECK(*segments[component].begin() < 3);
+      CGAL_CHECK_EQUAL(segments[component].size(), component == 1 || k <= 3 ? 1 : 5);
     }
   }
 }

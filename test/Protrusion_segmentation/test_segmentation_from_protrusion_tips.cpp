@@ -32,12 +32,12 @@ Segmentation segmentation_from_tips(const Mesh& mesh, const Tips& tips)
 void tips_alone_and_from_tips_make_the_whole()
 {
   const std::vector<Face_descriptor> tips = tips_of(star_mesh(), 4);
-  CHECK_EQUAL(tips.size(), 4);
+  CGAL_CHECK_EQUAL(tips.size(), 4);
   std::set<std::size_t> arms;
   for (const Face_descriptor tip : tips)
     arms.insert(star_soup().parts[tip]);
-  CHECK(arms == (std::set<std::size_t>{1, 2, 3, 4}));
-  CHECK(segmentation_from_tips(star_mesh(), tips).labels == paper_segmentation(star_mesh(), 5).labels);
+  CGAL_CHECK(arms == (std::set<std::size_t>{1, 2, 3, 4}));
+  CGAL_CHECK(segmentation_from_tips(star_mesh(), tips).labels == paper_segmentation(star_mesh(), 5).labels);
 }
 
 void edited_tips_make_the_segments_of_those_left()
@@ -46,12 +46,12 @@ void edited_tips_make_the_segments_of_those_left()
   const std::size_t left_out = star_soup().parts[tips[1]];
   tips.erase(tips.begin() + 1);
   const Segmentation found = segmentation_from_tips(star_mesh(), tips);
-  CHECK_EQUAL(found.number, 4);
+  CGAL_CHECK_EQUAL(found.number, 4);
   for (std::size_t f = 0; f < found.labels.size(); ++f)
     if (star_soup().parts[f] == left_out)
-      CHECK_EQUAL(found.labels[f], 0);
-  CHECK_EQUAL(segmentation_from_tips(star_mesh(), std::vector<Face_descriptor>()).number, 1);
-  CHECK_EQUAL(segmentation_from_tips(star_mesh(), std::array<Face_descriptor, 1>{tips[0]}).number, 2);
+      CGAL_CHECK_EQUAL(found.labels[f], 0);
+  CGAL_CHECK_EQUAL(segmentation_from_tips(star_mesh(), std::vector<Face_descriptor>()).number, 1);
+  CGAL_CHECK_EQUAL(segmentation_from_tips(star_mesh(), std::array<Face_descriptor, 1>{tips[0]}).number, 2);
 }
 
 void a_tip_given_twice_counts_once()
@@ -60,26 +60,26 @@ void a_tip_given_twice_counts_once()
   const Labels expected = segmentation_from_tips(star_mesh(), tips).labels;
   tips.push_back(tips[0]);
   tips.insert(tips.begin() + 2, tips[1]);
-  CHECK(segmentation_from_tips(star_mesh(), tips).labels == expected);
+  CGAL_CHECK(segmentation_from_tips(star_mesh(), tips).labels == expected);
 }
 
 void impossible_tips_are_refused()
 {
   Segment_ids<Mesh> ids(star_mesh());
   const std::vector<Face_descriptor> beyond(1, Face_descriptor(unsigned(num_faces(star_mesh()))));
-  CHECK_THROWS_WITH(
+  CGAL_CHECK_THROWS_WITH(
     CGAL::segmentation_from_protrusion_tips(star_mesh(), beyond, ids.map(), Histogram_method()),
     std::invalid_argument, "tips");
-  CHECK_THROWS_WITH(
+  CGAL_CHECK_THROWS_WITH(
     CGAL::segmentation_from_protrusion_tips(
       star_mesh(), std::vector<Face_descriptor>(1, Mesh::null_face()), ids.map(), Histogram_method()),
     std::invalid_argument, "tips");
-  CHECK(is_untouched({0, ids.labels()}));
-  CHECK_THROWS_WITH(tips_of(to_graph<Mesh>(tetrahedron()), 5), std::invalid_argument,
+  CGAL_CHECK(is_untouched({0, ids.labels()}));
+  CGAL_CHECK_THROWS_WITH(tips_of(to_graph<Mesh>(tetrahedron()), 5), std::invalid_argument,
                     "number_of_tips is 5");
-  CHECK_EQUAL(tips_of(to_graph<Mesh>(tetrahedron()), 4).size(), 4);
-  CHECK_EQUAL(tips_of(star_mesh(), 0).size(), 0);
-  CHECK_EQUAL(tips_of(Mesh(), 0).size(), 0);
+  CGAL_CHECK_EQUAL(tips_of(to_graph<Mesh>(tetrahedron()), 4).size(), 4);
+  CGAL_CHECK_EQUAL(tips_of(star_mesh(), 0).size(), 0);
+  CGAL_CHECK_EQUAL(tips_of(Mesh(), 0).size(), 0);
 }
 
 // Tips go to the component with the largest area per tip, the new one counted.
@@ -90,14 +90,14 @@ void components_share_the_tips()
   const auto tips_on_small = [&](std::size_t number)
   {
     const std::vector<Face_descriptor> tips = tips_of(mesh, number);
-    CHECK_EQUAL(tips.size(), number);
+    CGAL_CHECK_EQUAL(tips.size(), number);
     return std::count_if(tips.begin(), tips.end(),
                          [&](Face_descriptor f) { return std::size_t(f) < small.faces.size(); });
   };
-  CHECK_EQUAL(tips_on_small(1), 0);
-  CHECK_EQUAL(tips_on_small(4), 0); // area 4 to 1
-  CHECK_EQUAL(tips_on_small(5), 1);
-  CHECK_EQUAL(tips_on_small(10), 2);
+  CGAL_CHECK_EQUAL(tips_on_small(1), 0);
+  CGAL_CHECK_EQUAL(tips_on_small(4), 0); // area 4 to 1
+  CGAL_CHECK_EQUAL(tips_on_small(5), 1);
+  CGAL_CHECK_EQUAL(tips_on_small(10), 2);
 }
 
 template <typename Method>
@@ -144,12 +144,12 @@ void one_tip_cuts_off_its_arm(const Test_mesh& soup, const Method& method)
   for (const Face_descriptor tip : ends_of_arms(soup))
   {
     const Segmentation found = segmentation_from(mesh, {tip}, method);
-    CHECK_EQUAL(found.number, 2);
-    CHECK_EQUAL(found.labels[tip], 1);
+    CGAL_CHECK_EQUAL(found.number, 2);
+    CGAL_CHECK_EQUAL(found.labels[tip], 1);
     const double share = overlap(soup, found.labels, 1, soup.parts[tip]);
     std::cout << "arm " << soup.parts[tip] << " of " << number_of_parts(soup) - 1 << ": " << 100 * share
               << " %\n";
-    CHECK(share >= 0.9);
+    CGAL_CHECK(share >= 0.9);
   }
 }
 
@@ -161,24 +161,24 @@ void tips_in_one_place_count_once(const Method& method)
   const Mesh mesh = to_graph<Mesh>(soup);
   const std::vector<Face_descriptor> once = ends_of_arms(soup);
   const Segmentation expected = segmentation_from(mesh, once, method);
-  CHECK_EQUAL(expected.number, 7);
+  CGAL_CHECK_EQUAL(expected.number, 7);
 
   std::vector<Face_descriptor> twice = once;
   twice.insert(twice.end(), once.begin(), once.end());
-  CHECK(segmentation_from(mesh, twice, method).labels == expected.labels);
-  CHECK(segmentation_from(mesh, twice, method).number <= 7);
+  CGAL_CHECK(segmentation_from(mesh, twice, method).labels == expected.labels);
+  CGAL_CHECK(segmentation_from(mesh, twice, method).number <= 7);
 
   std::vector<Face_descriptor> with_neighbors = once;
   for (const Face_descriptor tip : once)
     for (const auto v : vertices_around_face(halfedge(tip, mesh), mesh))
       for (const Face_descriptor f : faces_around_target(halfedge(v, mesh), mesh))
         with_neighbors.push_back(f);
-  CHECK(with_neighbors.size() > 60);
-  CHECK(segmentation_from(mesh, with_neighbors, method).labels == expected.labels);
+  CGAL_CHECK(with_neighbors.size() > 60);
+  CGAL_CHECK(segmentation_from(mesh, with_neighbors, method).labels == expected.labels);
 
   // where the first tip of each place is another one, there are as many segments
   std::reverse(with_neighbors.begin(), with_neighbors.end());
-  CHECK(segmentation_from(mesh, with_neighbors, method).number <= 7);
+  CGAL_CHECK(segmentation_from(mesh, with_neighbors, method).number <= 7);
 }
 
 void one_tip_cuts_off_its_arm()

@@ -24,17 +24,17 @@
 
 void check_same(const Metrics& a, const Metrics& b, double tolerance = 0)
 {
-  CHECK_CLOSE(a.rand_index_error, b.rand_index_error, tolerance);
-  CHECK_CLOSE(a.hamming_distance.distance, b.hamming_distance.distance, tolerance);
-  CHECK_CLOSE(a.hamming_distance.missing_rate, b.hamming_distance.missing_rate, tolerance);
-  CHECK_CLOSE(a.hamming_distance.false_alarm_rate, b.hamming_distance.false_alarm_rate, tolerance);
-  CHECK_EQUAL(a.cut_discrepancy.has_value(), b.cut_discrepancy.has_value());
-  CHECK_CLOSE(a.cut_discrepancy.value_or(0), b.cut_discrepancy.value_or(0), tolerance);
-  CHECK_CLOSE(a.consistency_error.global, b.consistency_error.global, tolerance);
-  CHECK_CLOSE(a.consistency_error.local, b.consistency_error.local, tolerance);
-  CHECK_CLOSE(a.consistency_error.global_by_area, b.consistency_error.global_by_area, tolerance);
-  CHECK_CLOSE(a.consistency_error.local_by_area, b.consistency_error.local_by_area, tolerance);
-  CHECK_CLOSE(a.mean_best_intersection_over_union, b.mean_best_intersection_over_union, tolerance);
+  CGAL_CHECK_CLOSE(a.rand_index_error, b.rand_index_error, tolerance);
+  CGAL_CHECK_CLOSE(a.hamming_distance.distance, b.hamming_distance.distance, tolerance);
+  CGAL_CHECK_CLOSE(a.hamming_distance.missing_rate, b.hamming_distance.missing_rate, tolerance);
+  CGAL_CHECK_CLOSE(a.hamming_distance.false_alarm_rate, b.hamming_distance.false_alarm_rate, tolerance);
+  CGAL_CHECK_EQUAL(a.cut_discrepancy.has_value(), b.cut_discrepancy.has_value());
+  CGAL_CHECK_CLOSE(a.cut_discrepancy.value_or(0), b.cut_discrepancy.value_or(0), tolerance);
+  CGAL_CHECK_CLOSE(a.consistency_error.global, b.consistency_error.global, tolerance);
+  CGAL_CHECK_CLOSE(a.consistency_error.local, b.consistency_error.local, tolerance);
+  CGAL_CHECK_CLOSE(a.consistency_error.global_by_area, b.consistency_error.global_by_area, tolerance);
+  CGAL_CHECK_CLOSE(a.consistency_error.local_by_area, b.consistency_error.local_by_area, tolerance);
+  CGAL_CHECK_CLOSE(a.mean_best_intersection_over_union, b.mean_best_intersection_over_union, tolerance);
 }
 
 // All but the cut discrepancy, which is checked apart.
@@ -52,9 +52,9 @@ void test_coordinates_that_are_not_finite()
   {
     Mesh mesh = strip_of_squares(4);
     mesh.point(Vertex(5)) = Point(wrong, 0, 0);
-    CHECK_THROWS_WITH(metrics_of(mesh, {0, 1, 1, 1}, {0, 0, 1, 1}), std::invalid_argument,
+    CGAL_CHECK_THROWS_WITH(metrics_of(mesh, {0, 1, 1, 1}, {0, 0, 1, 1}), std::invalid_argument,
                       "mesh: vertex 5 has a coordinate that is not finite");
-    CHECK_THROWS_WITH(metrics_of(mesh, {0, 0, 0, 0}, {0, 0, 1, 1}), std::invalid_argument, "vertex 5");
+    CGAL_CHECK_THROWS_WITH(metrics_of(mesh, {0, 0, 0, 0}, {0, 0, 1, 1}), std::invalid_argument, "vertex 5");
   }
 }
 
@@ -64,21 +64,21 @@ void test_strip_by_hand()
   const Metrics m = metrics_of(strip_of_squares(4), {0, 1, 1, 1}, {0, 0, 1, 1});
 
   // 3 + 2 pairs within segments, 1 of them in both, of 6 pairs
-  CHECK_CLOSE(m.rand_index_error, (3 + 2 - 2 * 1) / 6., exact);
+  CGAL_CHECK_CLOSE(m.rand_index_error, (3 + 2 - 2 * 1) / 6., exact);
   // best covered: 1 of 2 and 2 of 2 of the reference; 1 of 1 and 2 of 3 of the segments
-  CHECK_CLOSE(m.hamming_distance.missing_rate, 1 / 4., exact);
-  CHECK_CLOSE(m.hamming_distance.false_alarm_rate, 1 / 4., exact);
-  CHECK_CLOSE(m.hamming_distance.distance, 1 / 4., exact);
+  CGAL_CHECK_CLOSE(m.hamming_distance.missing_rate, 1 / 4., exact);
+  CGAL_CHECK_CLOSE(m.hamming_distance.false_alarm_rate, 1 / 4., exact);
+  CGAL_CHECK_CLOSE(m.hamming_distance.distance, 1 / 4., exact);
   // overlaps 1 = {a}, 1 = {b}, 2 = {c, d}: of the segments 0, 2/3, 1/3 lie outside,
   // of the reference's 1/2, 1/2, 0
-  CHECK_CLOSE(m.consistency_error.global, (std::min)(2 / 3. + 2 / 3., 1 / 2. + 1 / 2.) / 4, exact);
-  CHECK_CLOSE(m.consistency_error.local, (0 + 1 / 2. + 0) / 4, exact);
-  CHECK_CLOSE(m.consistency_error.global_by_area, m.consistency_error.global, exact);
-  CHECK_CLOSE(m.consistency_error.local_by_area, m.consistency_error.local, exact);
+  CGAL_CHECK_CLOSE(m.consistency_error.global, (std::min)(2 / 3. + 2 / 3., 1 / 2. + 1 / 2.) / 4, exact);
+  CGAL_CHECK_CLOSE(m.consistency_error.local, (0 + 1 / 2. + 0) / 4, exact);
+  CGAL_CHECK_CLOSE(m.consistency_error.global_by_area, m.consistency_error.global, exact);
+  CGAL_CHECK_CLOSE(m.consistency_error.local_by_area, m.consistency_error.local, exact);
   // of {a, b}: 1 of {a}, 1 of 4 of {b, c, d} are common; of {c, d}: 2 of 3
-  CHECK_CLOSE(m.mean_best_intersection_over_union, (1 / 2. + 2 / 3.) / 2, exact);
+  CGAL_CHECK_CLOSE(m.mean_best_intersection_over_union, (1 / 2. + 2 / 3.) / 2, exact);
   // both borders have 2 points at a distance of 1; centroids at -3/2, -1/2, 1/2, 3/2 of the middle
-  CHECK_CLOSE(m.cut_discrepancy.value(), 1 / 1., exact);
+  CGAL_CHECK_CLOSE(m.cut_discrepancy.value(), 1 / 1., exact);
 }
 
 // The best segment may be one for many parts; what has a negative id is no part; faces are counted.
@@ -86,13 +86,13 @@ void test_mean_best_intersection_over_union_by_hand()
 {
   const auto mean = [](const Labels& segments, const Labels& reference)
   { return metrics_of(strip_of_squares(6), segments, reference).mean_best_intersection_over_union; };
-  CHECK_CLOSE(mean({0, 0, 0, 0, 0, 0}, {0, 0, 0, 1, 1, 2}), (3 / 6. + 2 / 6. + 1 / 6.) / 3, exact);
-  CHECK_CLOSE(mean({0, 0, 0, 1, 1, 2}, {0, 0, 0, 0, 0, 0}), 3 / 6., exact);
-  CHECK_CLOSE(mean({0, 0, 1, 1, 2, 2}, {7, 7, 7, 5, 5, 5}), 2 / 3., exact);
-  CHECK_EQUAL(mean({0, 0, 1, 1, 2, 3}, {4, 4, 9, 9, -1, -1}), 1);
-  CHECK_CLOSE(mean({0, 0, 0, 1, 1, 1}, {4, 4, -1, 9, 9, 9}), (2 / 3. + 1) / 2, exact);
-  CHECK_CLOSE(mean({-1, -1, -1, 1, 1, 1}, {4, 4, 4, 9, 9, 9}), 1, exact); // of the segments all count
-  CHECK_EQUAL(mean({0, 0, 0, 0, 0, 0}, {-1, -1, -1, -1, -1, -1}), 1);
+  CGAL_CHECK_CLOSE(mean({0, 0, 0, 0, 0, 0}, {0, 0, 0, 1, 1, 2}), (3 / 6. + 2 / 6. + 1 / 6.) / 3, exact);
+  CGAL_CHECK_CLOSE(mean({0, 0, 0, 1, 1, 2}, {0, 0, 0, 0, 0, 0}), 3 / 6., exact);
+  CGAL_CHECK_CLOSE(mean({0, 0, 1, 1, 2, 2}, {7, 7, 7, 5, 5, 5}), 2 / 3., exact);
+  CGAL_CHECK_EQUAL(mean({0, 0, 1, 1, 2, 3}, {4, 4, 9, 9, -1, -1}), 1);
+  CGAL_CHECK_CLOSE(mean({0, 0, 0, 1, 1, 1}, {4, 4, -1, 9, 9, 9}), (2 / 3. + 1) / 2, exact);
+  CGAL_CHECK_CLOSE(mean({-1, -1, -1, 1, 1, 1}, {4, 4, 4, 9, 9, 9}), 1, exact); // of the segments all count
+  CGAL_CHECK_EQUAL(mean({0, 0, 0, 0, 0, 0}, {-1, -1, -1, -1, -1, -1}), 1);
 }
 
 // Two triangles of area 1/2 at the ends of a rectangle of area 3, which has one half of it each.
@@ -106,19 +106,19 @@ void test_areas_by_hand()
   mesh.add_face(c, d, e);
   const Metrics m = metrics_of(mesh, {0, 0, 1}, {0, 1, 1});
 
-  CHECK_CLOSE(m.rand_index_error, 2 / 3., exact);
-  CHECK_CLOSE(m.hamming_distance.missing_rate, 0.5 / 4, exact);
-  CHECK_CLOSE(m.hamming_distance.false_alarm_rate, 0.5 / 4, exact);
+  CGAL_CHECK_CLOSE(m.rand_index_error, 2 / 3., exact);
+  CGAL_CHECK_CLOSE(m.hamming_distance.missing_rate, 0.5 / 4, exact);
+  CGAL_CHECK_CLOSE(m.hamming_distance.false_alarm_rate, 0.5 / 4, exact);
   // by faces: 1/2, 1/2, 0 of the segments lie outside, 0, 1/2, 1/2 of the reference's
-  CHECK_CLOSE(m.consistency_error.global, 1 / 3., exact);
-  CHECK_CLOSE(m.consistency_error.local, (0 + 1 / 2. + 0) / 3, exact);
+  CGAL_CHECK_CLOSE(m.consistency_error.global, 1 / 3., exact);
+  CGAL_CHECK_CLOSE(m.consistency_error.local, (0 + 1 / 2. + 0) / 3, exact);
   // by area: 6/7, 1/7, 0 and 0, 1/7, 6/7, each counted as one face
-  CHECK_CLOSE(m.consistency_error.global_by_area, 1 / 3., exact);
-  CHECK_CLOSE(m.consistency_error.local_by_area, (0 + 1 / 7. + 0) / 3, exact);
+  CGAL_CHECK_CLOSE(m.consistency_error.global_by_area, 1 / 3., exact);
+  CGAL_CHECK_CLOSE(m.consistency_error.local_by_area, (0 + 1 / 7. + 0) / 3, exact);
   // all four border points are 3 away; the centroids are (2/3, 1/3), (5/2, 1/2) and (13/3, 1/3), of
   // the surface (5/2, 11/24)
   const double radius = (2 * 0.5 * std::hypot(11 / 6., 1 / 8.) + 3 * (1 / 24.)) / 4;
-  CHECK_CLOSE(m.cut_discrepancy.value(), 3 / radius, exact);
+  CGAL_CHECK_CLOSE(m.cut_discrepancy.value(), 3 / radius, exact);
 }
 
 // What fails to compile with one line, and what is accepted.
@@ -128,16 +128,16 @@ void test_kinds_of_segment_id_maps()
   using Read = boost::readable_property_map_tag;
   using Write = boost::writable_property_map_tag;
   using Ids = Mesh::Property_map<Face, std::size_t>;
-  CHECK(Is_segment_id_map<Mesh, Ids, Read>::value);
-  CHECK(Is_segment_id_map<Mesh, Ids, Write>::value);
-  CHECK(Is_segment_id_map<Mesh, boost::associative_property_map<std::map<Face, char>>, Read>::value);
-  CHECK(Is_segment_id_map<Mesh, boost::static_property_map<int, Face>, Read>::value);
-  CHECK(!Is_segment_id_map<Mesh, boost::static_property_map<int, Face>, Write>::value);
-  CHECK(!Is_segment_id_map<Mesh, Mesh::Property_map<Face, double>, Read>::value);
-  CHECK(!Is_segment_id_map<Mesh, Mesh::Property_map<Vertex, int>, Read>::value);
-  CHECK(!Is_segment_id_map<Mesh, std::vector<int>, Read>::value);
-  CHECK(!Is_segment_id_map<Mesh, std::map<Face, int>, Read>::value);
-  CHECK(!Is_segment_id_map<Mesh, int, Read>::value);
+  CGAL_CHECK(Is_segment_id_map<Mesh, Ids, Read>::value);
+  CGAL_CHECK(Is_segment_id_map<Mesh, Ids, Write>::value);
+  CGAL_CHECK(Is_segment_id_map<Mesh, boost::associative_property_map<std::map<Face, char>>, Read>::value);
+  CGAL_CHECK(Is_segment_id_map<Mesh, boost::static_property_map<int, Face>, Read>::value);
+  CGAL_CHECK(!Is_segment_id_map<Mesh, boost::static_property_map<int, Face>, Write>::value);
+  CGAL_CHECK(!Is_segment_id_map<Mesh, Mesh::Property_map<Face, double>, Read>::value);
+  CGAL_CHECK(!Is_segment_id_map<Mesh, Mesh::Property_map<Vertex, int>, Read>::value);
+  CGAL_CHECK(!Is_segment_id_map<Mesh, std::vector<int>, Read>::value);
+  CGAL_CHECK(!Is_segment_id_map<Mesh, std::map<Face, int>, Read>::value);
+  CGAL_CHECK(!Is_segment_id_map<Mesh, int, Read>::value);
 }
 
 Mesh scaled(Mesh mesh, int exponent)
@@ -173,9 +173,9 @@ Mesh tent()
 void check_scale_does_not_matter(const Mesh& mesh, const Labels& a, const Labels& b)
 {
   const Metrics expected = metrics_of(mesh, a, b);
-  CHECK(expected.hamming_distance.distance > 0);
-  CHECK(expected.consistency_error.local_by_area > 0);
-  CHECK(expected.cut_discrepancy.value_or(0) > 0);
+  CGAL_CHECK(expected.hamming_distance.distance > 0);
+  CGAL_CHECK(expected.consistency_error.local_by_area > 0);
+  CGAL_CHECK(expected.cut_discrepancy.value_or(0) > 0);
   for (const int exponent :
        {-1000, -510, -300, -269, -267, -100, -1, 1, 100, 200, 253, 255, 300, 510, 1000})
     check_same(metrics_of(scaled(mesh, exponent), a, b), expected);
@@ -201,17 +201,17 @@ void test_huge_and_tiny_squares_by_hand()
     for (const std::size_t i : {0u, 1u, 3u, 4u})
       mesh.add_face(v[i], v[i + 1], v[i + 4], v[i + 3]);
     const Face_labels<Mesh> columns(mesh, {0, 1, 0, 1}), rows(mesh, {0, 0, 1, 1});
-    CHECK_CLOSE(
+    CGAL_CHECK_CLOSE(
       CGAL::Protrusion_segmentation::segmentation_hamming_distance(mesh, columns.map(), rows.map())
         .distance,
       1 / 2., exact);
     const auto consistency = CGAL::Protrusion_segmentation::segmentation_consistency_error(
       mesh, columns.map(), rows.map());
-    CHECK_CLOSE(consistency.global_by_area, 1 / 2., exact);
-    CHECK_CLOSE(consistency.local_by_area, 1 / 2., exact);
+    CGAL_CHECK_CLOSE(consistency.global_by_area, 1 / 2., exact);
+    CGAL_CHECK_CLOSE(consistency.local_by_area, 1 / 2., exact);
     // of the three points of each border, the two at the ends are 1 from the middle of the other one; all centroids
     // are as far from the middle
-    CHECK_CLOSE(
+    CGAL_CHECK_CLOSE(
       CGAL::Protrusion_segmentation::segmentation_cut_discrepancy(mesh, columns.map(), rows.map())
         .value_or(0),
       2 / 3. / std::sqrt(1 / 2.), exact);
@@ -227,7 +227,7 @@ void test_same_segmentation_up_to_ids()
     renamed.push_back(std::vector<int>{-5, (std::numeric_limits<int>::max)(), 1000, 0}[std::size_t(label)]);
   const Metrics m = metrics_of(mesh, labels, renamed);
   check_no_error(m);
-  CHECK_EQUAL(m.cut_discrepancy.value(), 0);
+  CGAL_CHECK_EQUAL(m.cut_discrepancy.value(), 0);
   check_same(metrics_of(mesh, renamed, random_labels(20, 3, 8)),
              metrics_of(mesh, labels, random_labels(20, 3, 8)));
 }
@@ -248,15 +248,15 @@ void test_one_segment()
   const Mesh mesh = icosahedron();
   const Labels one(20, 9), halves = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
   const Metrics m = metrics_of(mesh, one, halves);
-  CHECK_CLOSE(m.rand_index_error, 100 / 190., exact);
-  CHECK_EQUAL(m.hamming_distance.missing_rate, 0);
-  CHECK_CLOSE(m.hamming_distance.false_alarm_rate, 0.5, exact);
-  CHECK(!m.cut_discrepancy.has_value());
-  CHECK_EQUAL(m.consistency_error.global, 0);
-  CHECK_EQUAL(m.consistency_error.local_by_area, 0);
-  CHECK(!metrics_of(mesh, halves, one).cut_discrepancy.has_value());
+  CGAL_CHECK_CLOSE(m.rand_index_error, 100 / 190., exact);
+  CGAL_CHECK_EQUAL(m.hamming_distance.missing_rate, 0);
+  CGAL_CHECK_CLOSE(m.hamming_distance.false_alarm_rate, 0.5, exact);
+  CGAL_CHECK(!m.cut_discrepancy.has_value());
+  CGAL_CHECK_EQUAL(m.consistency_error.global, 0);
+  CGAL_CHECK_EQUAL(m.consistency_error.local_by_area, 0);
+  CGAL_CHECK(!metrics_of(mesh, halves, one).cut_discrepancy.has_value());
   check_no_error(metrics_of(mesh, one, one));
-  CHECK(!metrics_of(mesh, one, one).cut_discrepancy.has_value());
+  CGAL_CHECK(!metrics_of(mesh, one, one).cut_discrepancy.has_value());
 }
 
 void test_as_many_segments_as_faces()
@@ -266,11 +266,11 @@ void test_as_many_segments_as_faces()
   for (int i = 0; i < 20; ++i)
     all.push_back(100 * i);
   const Metrics m = metrics_of(mesh, all, Labels(20, 0));
-  CHECK_EQUAL(m.rand_index_error, 1);
-  CHECK_CLOSE(m.hamming_distance.missing_rate, 19 / 20., exact);
-  CHECK_CLOSE(m.hamming_distance.false_alarm_rate, 0, exact);
-  CHECK_CLOSE(m.consistency_error.global, 0, exact);
-  CHECK(!m.cut_discrepancy.has_value());
+  CGAL_CHECK_EQUAL(m.rand_index_error, 1);
+  CGAL_CHECK_CLOSE(m.hamming_distance.missing_rate, 19 / 20., exact);
+  CGAL_CHECK_CLOSE(m.hamming_distance.false_alarm_rate, 0, exact);
+  CGAL_CHECK_CLOSE(m.consistency_error.global, 0, exact);
+  CGAL_CHECK(!m.cut_discrepancy.has_value());
   check_no_error(metrics_of(mesh, all, all));
 }
 
@@ -278,9 +278,9 @@ void test_empty_mesh_and_few_faces()
 {
   const Metrics empty = metrics_of(Mesh(), {}, {});
   check_no_error(empty);
-  CHECK(!empty.cut_discrepancy.has_value());
+  CGAL_CHECK(!empty.cut_discrepancy.has_value());
   check_no_error(metrics_of(strip_of_squares(1), {4}, {5}));
-  CHECK_EQUAL(metrics_of(strip_of_squares(2), {0, 0}, {0, 1}).rand_index_error, 1);
+  CGAL_CHECK_EQUAL(metrics_of(strip_of_squares(2), {0, 0}, {0, 1}).rand_index_error, 1);
   check_no_error(metrics_of(strip_of_squares(2), {0, 1}, {1, 0}));
 }
 
@@ -290,11 +290,11 @@ void test_mesh_without_area()
   for (const Vertex v : vertices(mesh))
     mesh.point(v) = Point(mesh.point(v).x(), 0, 0);
   const Metrics m = metrics_of(mesh, {0, 0, 1}, {0, 1, 1});
-  CHECK_CLOSE(m.rand_index_error, 2 / 3., exact);
-  CHECK_EQUAL(m.hamming_distance.distance, 0);
-  CHECK_EQUAL(m.consistency_error.local_by_area, 0);
-  CHECK_CLOSE(m.consistency_error.global, 1 / 3., exact);
-  CHECK(!m.cut_discrepancy.has_value());
+  CGAL_CHECK_CLOSE(m.rand_index_error, 2 / 3., exact);
+  CGAL_CHECK_EQUAL(m.hamming_distance.distance, 0);
+  CGAL_CHECK_EQUAL(m.consistency_error.local_by_area, 0);
+  CGAL_CHECK_CLOSE(m.consistency_error.global, 1 / 3., exact);
+  CGAL_CHECK(!m.cut_discrepancy.has_value());
 }
 
 void test_disconnected_mesh()
@@ -302,14 +302,14 @@ void test_disconnected_mesh()
   Mesh mesh = strip_of_squares(3);
   CGAL::copy_face_graph(strip_of_squares(3), mesh);
   const Metrics both = metrics_of(mesh, {0, 1, 1, 2, 2, 3}, {0, 0, 1, 2, 3, 3});
-  CHECK(both.cut_discrepancy.has_value());
+  CGAL_CHECK(both.cut_discrepancy.has_value());
   // a border on one side only in the second component: it cannot be reached
-  CHECK(!metrics_of(mesh, {0, 1, 1, 2, 2, 3}, {0, 0, 1, 2, 2, 2}).cut_discrepancy.has_value());
-  CHECK(!metrics_of(mesh, {0, 1, 1, 2, 2, 2}, {0, 0, 0, 2, 2, 3}).cut_discrepancy.has_value());
+  CGAL_CHECK(!metrics_of(mesh, {0, 1, 1, 2, 2, 3}, {0, 0, 1, 2, 2, 2}).cut_discrepancy.has_value());
+  CGAL_CHECK(!metrics_of(mesh, {0, 1, 1, 2, 2, 2}, {0, 0, 0, 2, 2, 3}).cut_discrepancy.has_value());
   // no border in the second component on either side
-  CHECK(metrics_of(mesh, {0, 1, 1, 2, 2, 2}, {0, 0, 1, 2, 2, 2}).cut_discrepancy.has_value());
+  CGAL_CHECK(metrics_of(mesh, {0, 1, 1, 2, 2, 2}, {0, 0, 1, 2, 2, 2}).cut_discrepancy.has_value());
   // a segment may span components
-  CHECK_CLOSE(metrics_of(mesh, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 1, 1, 1}).hamming_distance.false_alarm_rate,
+  CGAL_CHECK_CLOSE(metrics_of(mesh, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 1, 1, 1}).hamming_distance.false_alarm_rate,
               0.5, exact);
 }
 
@@ -374,11 +374,11 @@ void test_named_parameters()
   const Face_labels<Mesh> a(mesh, {0, 1, 1, 1}), b(mesh, {0, 0, 1, 1});
   const Metrics m = CGAL::Protrusion_segmentation::segmentation_metrics(
     mesh, a.map(), b.map(), CGAL::parameters::vertex_point_map(stretched).vertex_index_map(reversed));
-  CHECK_CLOSE(m.hamming_distance.missing_rate, 1 / 22., exact);
+  CGAL_CHECK_CLOSE(m.hamming_distance.missing_rate, 1 / 22., exact);
   // centroids 1/2, 3/2, 7, 17 with areas 1, 1, 10, 10
   const double center = (0.5 + 1.5 + 70 + 170) / 22;
   const double radius = (center - 0.5 + center - 1.5 + 10 * (center - 7) + 10 * (17 - center)) / 22;
-  CHECK_CLOSE(m.cut_discrepancy.value(), 1 / radius, exact);
+  CGAL_CHECK_CLOSE(m.cut_discrepancy.value(), 1 / radius, exact);
 }
 
 int main()

@@ -155,11 +155,11 @@ void check_against_brute_force(const Mesh& mesh, const Labels& a, const Labels& 
   };
   const auto one = [](std::size_t) { return 1.; };
   const Metrics m = metrics_of(mesh, a, b);
-  CHECK_CLOSE(m.rand_index_error, brute_force_rand_index_error(a, b), exact);
-  CHECK_CLOSE(m.hamming_distance.missing_rate, brute_force_unmatched(b, a, area_map), exact);
-  CHECK_CLOSE(m.hamming_distance.false_alarm_rate, brute_force_unmatched(a, b, area_map), exact);
-  CHECK_CLOSE(m.consistency_error.global, brute_force_consistency(a, b, one).first, exact);
-  CHECK_CLOSE(m.consistency_error.local, brute_force_consistency(a, b, one).second, exact);
+  CGAL_CHECK_CLOSE(m.rand_index_error, brute_force_rand_index_error(a, b), exact);
+  CGAL_CHECK_CLOSE(m.hamming_distance.missing_rate, brute_force_unmatched(b, a, area_map), exact);
+  CGAL_CHECK_CLOSE(m.hamming_distance.false_alarm_rate, brute_force_unmatched(a, b, area_map), exact);
+  CGAL_CHECK_CLOSE(m.consistency_error.global, brute_force_consistency(a, b, one).first, exact);
+  CGAL_CHECK_CLOSE(m.consistency_error.local, brute_force_consistency(a, b, one).second, exact);
 }
 
 // All triangles have one size, so what is weighted by area equals what is counted.
@@ -172,9 +172,9 @@ void test_icosahedron()
     const Labels b = random_labels(20, 2 + int(seed % 5), seed + 1000);
     check_against_brute_force(mesh, a, b);
     const Metrics m = metrics_of(mesh, a, b);
-    CHECK_CLOSE(m.cut_discrepancy.value(), brute_force_cut_discrepancy(mesh, a, b), exact);
-    CHECK_CLOSE(m.consistency_error.global_by_area, m.consistency_error.global, exact);
-    CHECK_CLOSE(m.consistency_error.local_by_area, m.consistency_error.local, exact);
+    CGAL_CHECK_CLOSE(m.cut_discrepancy.value(), brute_force_cut_discrepancy(mesh, a, b), exact);
+    CGAL_CHECK_CLOSE(m.consistency_error.global_by_area, m.consistency_error.global, exact);
+    CGAL_CHECK_CLOSE(m.consistency_error.local_by_area, m.consistency_error.local, exact);
   }
 }
 

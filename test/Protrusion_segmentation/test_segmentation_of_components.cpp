@@ -62,10 +62,10 @@ Labels partition_of_copy(const Labels& labels, std::size_t i, std::size_t number
 void check_copies(const Segmentation& found, const Segmentation& one, std::size_t number_of_copies)
 {
   const std::size_t faces = one.labels.size();
-  CHECK_EQUAL(found.number, number_of_copies * one.number);
-  CHECK_EQUAL(found.labels.size(), number_of_copies * faces);
+  CGAL_CHECK_EQUAL(found.number, number_of_copies * one.number);
+  CGAL_CHECK_EQUAL(found.labels.size(), number_of_copies * faces);
   for (std::size_t i = 0; i < number_of_copies; ++i)
-    CHECK(partition_of_copy(found.labels, i, faces) == as_partition(one.labels));
+    CGAL_CHECK(partition_of_copy(found.labels, i, faces) == as_partition(one.labels));
 }
 
 void one_figure()
@@ -103,11 +103,11 @@ void a_floor_is_one_segment_and_changes_nothing()
       sheet(squares, squares, size / double(squares), size / double(squares)),
       {-size / 2, -size / 2, -4});
     const Segmentation found = segmentation(merged({floor, figure()}));
-    CHECK_EQUAL(found.number, one.number + 1);
+    CGAL_CHECK_EQUAL(found.number, one.number + 1);
     const std::ptrdiff_t faces_of_floor = std::ptrdiff_t(floor.faces.size());
-    CHECK(as_partition(Labels(found.labels.begin(), found.labels.begin() + faces_of_floor)) ==
+    CGAL_CHECK(as_partition(Labels(found.labels.begin(), found.labels.begin() + faces_of_floor)) ==
           Labels(floor.faces.size(), 0));
-    CHECK(as_partition(Labels(found.labels.begin() + faces_of_floor, found.labels.end())) ==
+    CGAL_CHECK(as_partition(Labels(found.labels.begin() + faces_of_floor, found.labels.end())) ==
           as_partition(one.labels));
   }
 }
@@ -126,9 +126,9 @@ void what_lies_beside_and_where_does_not_matter()
       copies.push_back(translated(mesh, {coordinate(), coordinate(), coordinate()}));
     copies.push_back(translated(sheet(7, 5, 30, 20), {coordinate(), coordinate(), coordinate()}));
     const Segmentation found = segmentation(merged(copies));
-    CHECK_EQUAL(found.number, 3 * one.number + 1);
+    CGAL_CHECK_EQUAL(found.number, 3 * one.number + 1);
     for (std::size_t i = 0; i < 3; ++i)
-      CHECK(partition_of_copy(found.labels, i, one.labels.size()) == as_partition(one.labels));
+      CGAL_CHECK(partition_of_copy(found.labels, i, one.labels.size()) == as_partition(one.labels));
   }
 }
 
@@ -141,7 +141,7 @@ void mirror_images_turns_and_scales_do_not_matter()
     for (const Test_mesh& same :
          {with_reversed_orientation(scaled(mesh, -1, 1, 1)), scaled(mesh, 1000), scaled(mesh, 1e-3), scaled(mesh, 1024),
           scaled(mesh, std::ldexp(1., 200)), rotated(mesh, {1, 2, 3}, 1), translated(mesh, {30, -20, 10})})
-      CHECK(segmentation(same).labels == expected);
+      CGAL_CHECK(segmentation(same).labels == expected);
   }
 }
 
@@ -152,9 +152,9 @@ void the_order_of_the_faces_does_not_matter()
   {
     const std::vector<std::size_t> order = random_permutation(figure().faces.size(), seed);
     const Segmentation found = segmentation(with_face_order(figure(), order));
-    CHECK_EQUAL(found.number, one.number);
+    CGAL_CHECK_EQUAL(found.number, one.number);
     for (std::size_t i = 0; i < order.size(); ++i)
-      CHECK_EQUAL(found.labels[i], one.labels[order[i]]);
+      CGAL_CHECK_EQUAL(found.labels[i], one.labels[order[i]]);
   }
 }
 
@@ -175,11 +175,11 @@ void components_alone_take_no_search()
     const Segmentation found = checked(
       mesh, [&](auto ids)
       { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, CGAL::parameters::visitor(std::ref(counter))); });
-    CHECK_EQUAL(found.number, (std::max)(k, std::size_t(3)));
-    CHECK_EQUAL(counter.preparations > 0, k > 3);
+    CGAL_CHECK_EQUAL(found.number, (std::max)(k, std::size_t(3)));
+    CGAL_CHECK_EQUAL(counter.preparations > 0, k > 3);
     const std::size_t expected[] = {2, 0, 1}; // of the bodies
     for (std::size_t i = 0; k <= 3 && i < found.labels.size(); ++i)
-      CHECK_EQUAL(found.labels[i], expected[i / faces]);
+      CGAL_CHECK_EQUAL(found.labels[i], expected[i / faces]);
   }
 }
 

@@ -55,14 +55,14 @@ void protrusions_of_protrusions_are_cut_off()
     parents.insert(protrusion.parent);
   std::cout << found.number << " segments of a body with hands, cut from " << parents.size()
             << " others\n";
-  CHECK(parents.size() > 1);
+  CGAL_CHECK(parents.size() > 1);
 }
 
 void a_smaller_number_of_segments_is_kept_to()
 {
   const Test_mesh mesh = star(5, 1, 0.15, 0.04, 0.2);
   for (std::size_t k = 1; k <= 6; ++k)
-    CHECK_EQUAL(paper_segmentation(mesh, k).number, k);
+    CGAL_CHECK_EQUAL(paper_segmentation(mesh, k).number, k);
 }
 
 Labels labels_of(const Test_mesh& mesh)
@@ -82,7 +82,7 @@ void scaling_by_powers_of_two_changes_nothing()
 {
   for (const Test_mesh& mesh : bodies())
     for (const double factor : {std::ldexp(1., -900), 0.5, 4., std::ldexp(1., 900)})
-      CHECK(labels_of(scaled(mesh, factor)) == labels_of(mesh));
+      CGAL_CHECK(labels_of(scaled(mesh, factor)) == labels_of(mesh));
 }
 
 // 90 degrees about an axis: coordinates change places and signs, but no digit.
@@ -102,18 +102,18 @@ void motions_give_the_same_partition()
   {
     const Labels expected = as_partition(labels_of(mesh));
     for (std::size_t turns = 1; turns < 6; ++turns)
-      CHECK(as_partition(labels_of(with_turned_axes(mesh, turns))) == expected);
-    CHECK(as_partition(labels_of(rotated(mesh, {1, 2, 3}, 1))) == expected);
-    CHECK(as_partition(labels_of(rotated(mesh, {-2, 1, 0.5}, 2.5))) == expected);
-    CHECK(as_partition(labels_of(translated(mesh, {10, -20, 5}))) == expected);
-    CHECK(as_partition(labels_of(scaled(mesh, 1.7))) == expected);
+      CGAL_CHECK(as_partition(labels_of(with_turned_axes(mesh, turns))) == expected);
+    CGAL_CHECK(as_partition(labels_of(rotated(mesh, {1, 2, 3}, 1))) == expected);
+    CGAL_CHECK(as_partition(labels_of(rotated(mesh, {-2, 1, 0.5}, 2.5))) == expected);
+    CGAL_CHECK(as_partition(labels_of(translated(mesh, {10, -20, 5}))) == expected);
+    CGAL_CHECK(as_partition(labels_of(scaled(mesh, 1.7))) == expected);
   }
 }
 
 void the_orientation_does_not_matter()
 {
   for (const Test_mesh& mesh : bodies())
-    CHECK(as_partition(labels_of(with_reversed_orientation(mesh))) == as_partition(labels_of(mesh)));
+    CGAL_CHECK(as_partition(labels_of(with_reversed_orientation(mesh))) == as_partition(labels_of(mesh)));
 }
 
 // Nor the numbers of the segments, nor where symmetry makes everything a tie.
@@ -132,7 +132,7 @@ void the_order_of_the_faces_does_not_matter()
       Labels in_old_order(found.size());
       for (std::size_t f = 0; f < found.size(); ++f)
         in_old_order[order[f]] = found[f];
-      CHECK(in_old_order == expected);
+      CGAL_CHECK(in_old_order == expected);
     }
   }
 }
@@ -140,7 +140,7 @@ void the_order_of_the_faces_does_not_matter()
 void repeated_calls_give_the_same_labels()
 {
   for (const Test_mesh& mesh : bodies())
-    CHECK(labels_of(mesh) == labels_of(mesh));
+    CGAL_CHECK(labels_of(mesh) == labels_of(mesh));
 }
 
 int main()

@@ -23,34 +23,34 @@ void a_visitor_is_told_what_is_found()
                                                 parameters::visitor(std::ref(recorder)));
 
   check_stages_and_progress(recorder);
-  CHECK(recorder.number_of_runs() > 4 && recorder.number_of_runs() < 200);
+  CGAL_CHECK(recorder.number_of_runs() > 4 && recorder.number_of_runs() < 200);
 
-  CHECK_EQUAL(recorder.protrusions().size(), 4);
+  CGAL_CHECK_EQUAL(recorder.protrusions().size(), 4);
   for (const auto& protrusion : recorder.protrusions())
   {
-    CHECK(protrusion.parent < protrusion.segment && protrusion.segment < found.number);
-    CHECK_EQUAL(found.labels[protrusion.tip], protrusion.segment);
-    CHECK_EQUAL(std::count(recorder.tips().begin(), recorder.tips().end(), protrusion.tip), 1);
-    CHECK(protrusion.border_distance > factor && protrusion.border_distance < 2.5 * factor);
+    CGAL_CHECK(protrusion.parent < protrusion.segment && protrusion.segment < found.number);
+    CGAL_CHECK_EQUAL(found.labels[protrusion.tip], protrusion.segment);
+    CGAL_CHECK_EQUAL(std::count(recorder.tips().begin(), recorder.tips().end(), protrusion.tip), 1);
+    CGAL_CHECK(protrusion.border_distance > factor && protrusion.border_distance < 2.5 * factor);
     // around the arm, in zigzag
     const double girth = 2 * pi * 0.15 * factor;
-    CHECK(protrusion.border_length > girth && protrusion.border_length < 2 * girth);
+    CGAL_CHECK(protrusion.border_length > girth && protrusion.border_length < 2 * girth);
     double area = 0;
     for (std::size_t f = 0; f < found.labels.size(); ++f)
       area += found.labels[f] == protrusion.segment ? face_area(soup, soup.faces[f]) : 0;
-    CHECK_CLOSE(protrusion.area, area, 1e-9 * area);
-    CHECK(protrusion.value >= 0.3);
+    CGAL_CHECK_CLOSE(protrusion.area, area, 1e-9 * area);
+    CGAL_CHECK(protrusion.value >= 0.3);
     const std::size_t slot_of_border = protrusion.border_slot.value();
-    CHECK(slot_of_border < 100);
-    CHECK_EQUAL(protrusion.distance_histogram.size(), 100);
-    CHECK(std::accumulate(protrusion.distance_histogram.begin(), protrusion.distance_histogram.end(),
+    CGAL_CHECK(slot_of_border < 100);
+    CGAL_CHECK_EQUAL(protrusion.distance_histogram.size(), 100);
+    CGAL_CHECK(std::accumulate(protrusion.distance_histogram.begin(), protrusion.distance_histogram.end(),
                           std::size_t(0)) > soup.faces.size() / 2);
     // measured to the end, also where no border can lie
-    CHECK_EQUAL(protrusion.sectional_diameter_histogram.size(), 100);
+    CGAL_CHECK_EQUAL(protrusion.sectional_diameter_histogram.size(), 100);
     for (std::size_t slot = 20; slot < 100; ++slot)
-      CHECK(protrusion.sectional_diameter_histogram[slot] > 0.1 * factor);
+      CGAL_CHECK(protrusion.sectional_diameter_histogram[slot] > 0.1 * factor);
     // half way down the arm the diameter is that of the arm
-    CHECK_CLOSE(protrusion.sectional_diameter_histogram.at(slot_of_border / 2), 0.3 * factor,
+    CGAL_CHECK_CLOSE(protrusion.sectional_diameter_histogram.at(slot_of_border / 2), 0.3 * factor,
                 0.05 * factor);
   }
 }
@@ -59,9 +59,9 @@ void visitors_are_copied_unless_passed_by_reference()
 {
   Mesh_recorder recorder;
   paper_segmentation(star_mesh(), 2, parameters::visitor(recorder));
-  CHECK(recorder.stages.empty());
+  CGAL_CHECK(recorder.stages.empty());
   paper_segmentation(star_mesh(), 2, parameters::visitor(std::ref(recorder)));
-  CHECK(!recorder.stages.empty());
+  CGAL_CHECK(!recorder.stages.empty());
 }
 
 // Every question, or a hundred of them if there are more.
@@ -73,7 +73,7 @@ void a_visitor_stops_the_method_at_every_question(const Method& method)
   CGAL::segmentation_via_protrusion_tips(star_mesh(), all_ids.map(), 5, method,
                                          parameters::visitor(std::ref(all)));
   check_stages_and_progress(all);
-  CHECK(all.questions > 5);
+  CGAL_CHECK(all.questions > 5);
   const std::size_t step = 1 + all.questions / 100;
   for (std::size_t question = 1; question <= all.questions; question += step)
   {
@@ -83,12 +83,12 @@ void a_visitor_stops_the_method_at_every_question(const Method& method)
     const auto np = parameters::visitor(std::ref(recorder))
                       .edge_is_constrained_map(boost::make_assoc_property_map(is_border));
     Segment_ids<Mesh> ids(star_mesh());
-    CHECK_THROWS_AS(CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), 5, method, np),
+    CGAL_CHECK_THROWS_AS(CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), 5, method, np),
                     Segmentation_stopped);
-    CHECK(is_untouched({0, ids.labels()}));
-    CHECK(is_border.empty());
-    CHECK_EQUAL(recorder.questions, question);
-    CHECK(recorder.open.empty());
+    CGAL_CHECK(is_untouched({0, ids.labels()}));
+    CGAL_CHECK(is_border.empty());
+    CGAL_CHECK_EQUAL(recorder.questions, question);
+    CGAL_CHECK(recorder.open.empty());
   }
 }
 
@@ -96,21 +96,21 @@ void a_visitor_stops_the_other_functions()
 {
   Mesh_recorder recorder;
   recorder.stop_at = 3;
-  CHECK_THROWS_AS(CGAL::protrusion_hierarchy(star_mesh(), 5, parameters::visitor(std::ref(recorder))),
+  CGAL_CHECK_THROWS_AS(CGAL::protrusion_hierarchy(star_mesh(), 5, parameters::visitor(std::ref(recorder))),
                   Segmentation_stopped);
   recorder.questions = 0;
   std::vector<Mesh::Face_index> tips;
-  CHECK_THROWS_AS(CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips),
+  CGAL_CHECK_THROWS_AS(CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips),
                                         parameters::visitor(std::ref(recorder))),
                   Segmentation_stopped);
-  CHECK(tips.empty());
+  CGAL_CHECK(tips.empty());
   CGAL::protrusion_tips(star_mesh(), 4, std::back_inserter(tips));
   recorder.questions = 0;
   Segment_ids<Mesh> ids(star_mesh());
-  CHECK_THROWS_AS(CGAL::segmentation_from_protrusion_tips(star_mesh(), tips, ids.map(),
+  CGAL_CHECK_THROWS_AS(CGAL::segmentation_from_protrusion_tips(star_mesh(), tips, ids.map(),
                                                           parameters::visitor(std::ref(recorder))),
                   Segmentation_stopped);
-  CHECK(is_untouched({0, ids.labels()}));
+  CGAL_CHECK(is_untouched({0, ids.labels()}));
 }
 
 template <typename Method>
@@ -121,11 +121,11 @@ void a_record_holds_the_last_call(const Method& method)
   for (const int k : {5, 3})
     CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), k, method, parameters::visitor(std::ref(record)));
   CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), 3, method, parameters::visitor(std::ref(first)));
-  CHECK_EQUAL(record.protrusions().size(), 2);
-  CHECK(record.tips() == first.tips());
-  CHECK_EQUAL(record.number_of_runs(), first.number_of_runs());
+  CGAL_CHECK_EQUAL(record.protrusions().size(), 2);
+  CGAL_CHECK(record.tips() == first.tips());
+  CGAL_CHECK_EQUAL(record.number_of_runs(), first.number_of_runs());
   for (const std::size_t segment : {1, 2})
-    CHECK(record.value(0, segment) == record.protrusions()[segment - 1].value);
+    CGAL_CHECK(record.value(0, segment) == record.protrusions()[segment - 1].value);
 }
 
 // Only those with functions of their own for tips or protrusions pay for descriptions.
@@ -146,11 +146,11 @@ struct Visitor_of_any : Segmentation_visitor<Mesh>
 
 void protrusions_are_described_only_if_somebody_looks()
 {
-  CHECK(!(internal::Looks_at_protrusions<Segmentation_visitor<Mesh>, Mesh>::value));
-  CHECK(!(internal::Looks_at_protrusions<Progress_visitor, Mesh>::value));
-  CHECK((internal::Looks_at_protrusions<Tip_visitor, Mesh>::value));
-  CHECK((internal::Looks_at_protrusions<Visitor_of_any, Mesh>::value));
-  CHECK((internal::Looks_at_protrusions<Segmentation_record<Mesh>, Mesh>::value));
+  CGAL_CHECK(!(internal::Looks_at_protrusions<Segmentation_visitor<Mesh>, Mesh>::value));
+  CGAL_CHECK(!(internal::Looks_at_protrusions<Progress_visitor, Mesh>::value));
+  CGAL_CHECK((internal::Looks_at_protrusions<Tip_visitor, Mesh>::value));
+  CGAL_CHECK((internal::Looks_at_protrusions<Visitor_of_any, Mesh>::value));
+  CGAL_CHECK((internal::Looks_at_protrusions<Segmentation_record<Mesh>, Mesh>::value));
 }
 
 // Throws in the function of the given number, and then at the end of every stage that is left for it.
@@ -212,10 +212,10 @@ void exceptions_of_a_visitor_get_through(const Method& method)
     std::map<Mesh::Edge_index, bool> is_border;
     const auto np = parameters::visitor(Failing_visitor(function))
                       .edge_is_constrained_map(boost::make_assoc_property_map(is_border));
-    CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), 5, method, np),
+    CGAL_CHECK_THROWS_WITH(CGAL::segmentation_via_protrusion_tips(star_mesh(), ids.map(), 5, method, np),
                       std::runtime_error, "the visitor's own");
-    CHECK(is_untouched({0, ids.labels()}));
-    CHECK(is_border.empty());
+    CGAL_CHECK(is_untouched({0, ids.labels()}));
+    CGAL_CHECK(is_border.empty());
   }
 }
 

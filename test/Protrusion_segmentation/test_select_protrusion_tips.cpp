@@ -34,8 +34,8 @@ void check_equations(const Indexed_surface& surface, std::size_t count)
 {
   const auto d = all_pairs_distances(surface);
   const Tip_selection selection = tips_of(surface, count);
-  CHECK_EQUAL(selection.tips.size(), count);
-  CHECK_EQUAL(selection.number_of_eliminated, 0);
+  CGAL_CHECK_EQUAL(selection.tips.size(), count);
+  CGAL_CHECK_EQUAL(selection.number_of_eliminated, 0);
 
   std::vector<double> value; // of every face, in the equation that selects the next tip
   for (const std::vector<double>& row : d)
@@ -43,7 +43,7 @@ void check_equations(const Indexed_surface& surface, std::size_t count)
   bool first = true;
   for (const Index tip : selection.tips)
   {
-    CHECK(value[tip] >= *std::max_element(value.begin(), value.end()) * (1 - 1e-12));
+    CGAL_CHECK(value[tip] >= *std::max_element(value.begin(), value.end()) * (1 - 1e-12));
     for (std::size_t f = 0; f < value.size(); ++f)
       value[f] = first ? d[tip][f] : (std::min)(value[f], d[tip][f]);
     first = false;
@@ -69,21 +69,21 @@ void tips_of_a_star_are_at_the_ends_of_its_arms()
     {
       const std::size_t arm = mesh.parts[tip];
       parts.insert(arm);
-      CHECK(arm > 0);
+      CGAL_CHECK(arm > 0);
       // arms reach 1 + 2 (1 + 0.04 i) from the centre
       const double reach = 3 + 0.08 * double(arm - 1);
-      CHECK(length(centroid(mesh, mesh.faces[tip])) > reach - 0.2);
+      CGAL_CHECK(length(centroid(mesh, mesh.faces[tip])) > reach - 0.2);
     }
-    CHECK_EQUAL(parts.size(), arms);
+    CGAL_CHECK_EQUAL(parts.size(), arms);
   }
 }
 
 void selection_ends_where_no_face_is_left()
 {
-  CHECK_EQUAL(tips_of(to_surface(single_triangle()), 5).tips.size(), 1);
-  CHECK_EQUAL(tips_of(to_surface(tetrahedron()), 9).tips.size(), 4);
-  CHECK_EQUAL(tips_of(to_surface(scaled(tetrahedron(), 0)), 4).tips.size(), 1);
-  CHECK_EQUAL(tips_of(to_surface(tetrahedron()), 0).tips.size(), 0);
+  CGAL_CHECK_EQUAL(tips_of(to_surface(single_triangle()), 5).tips.size(), 1);
+  CGAL_CHECK_EQUAL(tips_of(to_surface(tetrahedron()), 9).tips.size(), 4);
+  CGAL_CHECK_EQUAL(tips_of(to_surface(scaled(tetrahedron(), 0)), 4).tips.size(), 1);
+  CGAL_CHECK_EQUAL(tips_of(to_surface(tetrahedron()), 0).tips.size(), 0);
 }
 
 void implausible_tips_are_eliminated_and_counted()
@@ -97,14 +97,14 @@ void implausible_tips_are_eliminated_and_counted()
   const auto distances = distances_on(surface);
   const Tip_selection selection = internal::select_protrusion_tips(surface, *distances, 4, is_plausible,
                                                                    visit);
-  CHECK(visited == all); // an eliminated face still keeps the next ones away
-  CHECK(selection.tips == (std::vector<Index>{all[0], all[2], all[4], all[6]}));
-  CHECK_EQUAL(selection.number_of_eliminated, 3);
+  CGAL_CHECK(visited == all); // an eliminated face still keeps the next ones away
+  CGAL_CHECK(selection.tips == (std::vector<Index>{all[0], all[2], all[4], all[6]}));
+  CGAL_CHECK_EQUAL(selection.number_of_eliminated, 3);
 
   const Tip_selection none = internal::select_protrusion_tips(
     surface, *distances, 4, [](Index) { return false; }, no_visit);
-  CHECK(none.tips.empty());
-  CHECK_EQUAL(none.number_of_eliminated, 4);
+  CGAL_CHECK(none.tips.empty());
+  CGAL_CHECK_EQUAL(none.number_of_eliminated, 4);
 }
 
 void each_tip_is_visited_with_its_distances()
@@ -117,14 +117,14 @@ void each_tip_is_visited_with_its_distances()
   const auto visit = [&](Index tip, const std::vector<double>& from_tip)
   {
     visited.push_back(tip);
-    CHECK_EQUAL(from_tip.size(), surface.number_of_faces());
-    CHECK_EQUAL(from_tip[tip], 0);
+    CGAL_CHECK_EQUAL(from_tip.size(), surface.number_of_faces());
+    CGAL_CHECK_EQUAL(from_tip[tip], 0);
   };
   const Tip_selection selection = internal::select_protrusion_tips(surface, *distances, 5, all_plausible,
                                                                    visit);
-  CHECK(visited == selection.tips);
+  CGAL_CHECK(visited == selection.tips);
   // one run a tip after eq. (1), which leaves the distances of the first one
-  CHECK_EQUAL(distances->number_of_runs(), 2 * runs_of_search + 4);
+  CGAL_CHECK_EQUAL(distances->number_of_runs(), 2 * runs_of_search + 4);
 }
 
 // A distance that has no way of its own to the face of eq. (1).
@@ -147,8 +147,8 @@ void distances_without_a_search_take_all_pairs()
   const auto plain = internal::Any_distance(Plain_distance()).on(surface, quiet_execution());
   const Tip_selection selection = internal::select_protrusion_tips(surface, *plain, 3, all_plausible,
                                                                    no_visit);
-  CHECK(selection.tips == tips_of(surface, 3).tips);
-  CHECK_EQUAL(plain->number_of_runs(), surface.number_of_faces() + 3);
+  CGAL_CHECK(selection.tips == tips_of(surface, 3).tips);
+  CGAL_CHECK_EQUAL(plain->number_of_runs(), surface.number_of_faces() + 3);
 }
 
 int main()

@@ -45,12 +45,12 @@ Found repaired(const Test_mesh& soup, std::optional<double> tolerance = std::nul
                                                        CGAL::parameters::snapping_tolerance(*tolerance))
                        : polygon_soup_to_manifold_mesh(points, soup.faces, mesh);
   Found result = {found.repairs, 0, mesh.number_of_faces(), 0};
-  CHECK(mesh.is_valid(false));
+  CGAL_CHECK(mesh.is_valid(false));
   for (const auto h : mesh.halfedges())
     result.border_edges += mesh.is_border(h) ? 1 : 0;
   for (const auto f : mesh.faces())
     result.largest_face = (std::max)(result.largest_face, std::size_t(mesh.degree(f)));
-  CHECK_EQUAL(found.face_of_polygon.size(), soup.faces.size());
+  CGAL_CHECK_EQUAL(found.face_of_polygon.size(), soup.faces.size());
   return result;
 }
 
@@ -87,11 +87,11 @@ Test_mesh in_single_precision(Test_mesh mesh, double share_of_changed, std::uint
 void check_sewn(const Test_mesh& soup, std::optional<double> tolerance = std::nullopt)
 {
   const Found found = repaired(soup, tolerance);
-  CHECK_EQUAL(found.repairs.components, 1);
-  CHECK_EQUAL(found.border_edges, 0);
-  CHECK_EQUAL(found.faces, soup.faces.size());
-  CHECK(found.repairs.joined_corners > 0);
-  CHECK(!found.repairs.is_nothing());
+  CGAL_CHECK_EQUAL(found.repairs.components, 1);
+  CGAL_CHECK_EQUAL(found.border_edges, 0);
+  CGAL_CHECK_EQUAL(found.faces, soup.faces.size());
+  CGAL_CHECK(found.repairs.joined_corners > 0);
+  CGAL_CHECK(!found.repairs.is_nothing());
 }
 
 void corners_that_differ_by_a_millionth_of_the_size_are_one()
@@ -130,9 +130,9 @@ void solids_that_touch_are_sewn()
           in_single_precision(shaken(stack, 0, 0), .05, seed)})
     {
       const Found found = repaired(soup);
-      CHECK_EQUAL(found.repairs.components, cubes.size());
-      CHECK_EQUAL(found.border_edges, 0);
-      CHECK_EQUAL(found.faces, soup.faces.size());
+      CGAL_CHECK_EQUAL(found.repairs.components, cubes.size());
+      CGAL_CHECK_EQUAL(found.border_edges, 0);
+      CGAL_CHECK_EQUAL(found.faces, soup.faces.size());
     }
   }
 }
@@ -140,17 +140,17 @@ void solids_that_touch_are_sewn()
 void other_corners_are_apart()
 {
   const Test_mesh soup = shaken(icosphere(2), 1e-3, 1);
-  CHECK_EQUAL(repaired(soup).repairs.components, soup.faces.size());
-  CHECK_EQUAL(repaired(soup).repairs.joined_corners, 0);
+  CGAL_CHECK_EQUAL(repaired(soup).repairs.components, soup.faces.size());
+  CGAL_CHECK_EQUAL(repaired(soup).repairs.joined_corners, 0);
   check_sewn(soup, 1e-2);
-  CHECK_EQUAL(repaired(shaken(icosphere(2), 1e-7, 1), 0.).repairs.components, soup.faces.size());
+  CGAL_CHECK_EQUAL(repaired(shaken(icosphere(2), 1e-7, 1), 0.).repairs.components, soup.faces.size());
 }
 
 void tolerances_are_distances()
 {
   for (const double tolerance :
        {-1., std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
-    CHECK_THROWS_WITH(repaired(icosphere(1), tolerance), std::invalid_argument, "snapping_tolerance");
+    CGAL_CHECK_THROWS_WITH(repaired(icosphere(1), tolerance), std::invalid_argument, "snapping_tolerance");
 }
 
 // However large the tolerance is, no edge vanishes, and nothing that is closed changes.
@@ -158,11 +158,11 @@ void no_edge_vanishes()
 {
   for (const double tolerance : {1e-3, 1e-1, 10.})
   {
-    CHECK(repaired(icosphere(2), tolerance).repairs.is_nothing());
+    CGAL_CHECK(repaired(icosphere(2), tolerance).repairs.is_nothing());
     const Found sheets = repaired(merged({sheet(5, 5), translated(sheet(5, 5), {0, 0, 3})}), tolerance);
-    CHECK_EQUAL(sheets.faces, 50);
+    CGAL_CHECK_EQUAL(sheets.faces, 50);
     const Test_mesh soup = shaken(icosphere(2), 1e-4, 1);
-    CHECK_EQUAL(repaired(soup, tolerance).faces, soup.faces.size());
+    CGAL_CHECK_EQUAL(repaired(soup, tolerance).faces, soup.faces.size());
   }
 }
 
@@ -178,14 +178,14 @@ void corners_on_edges_are_sewn()
   for (const double gap : {0., 1e-6})
   {
     const Found found = repaired(cracked_sheet(gap));
-    CHECK_EQUAL(found.repairs.components, 1);
-    CHECK_EQUAL(found.repairs.split_edges, 3);
-    CHECK_EQUAL(found.border_edges, 9 + 18);
-    CHECK_EQUAL(found.largest_face, 5);
+    CGAL_CHECK_EQUAL(found.repairs.components, 1);
+    CGAL_CHECK_EQUAL(found.repairs.split_edges, 3);
+    CGAL_CHECK_EQUAL(found.border_edges, 9 + 18);
+    CGAL_CHECK_EQUAL(found.largest_face, 5);
   }
-  CHECK_EQUAL(repaired(cracked_sheet(.01)).repairs.components, 2);
-  CHECK_EQUAL(repaired(cracked_sheet(.01), .02).repairs.components, 1);
-  CHECK_EQUAL(repaired(cracked_sheet(0), 0.).repairs.components, 2);
+  CGAL_CHECK_EQUAL(repaired(cracked_sheet(.01)).repairs.components, 2);
+  CGAL_CHECK_EQUAL(repaired(cracked_sheet(.01), .02).repairs.components, 1);
+  CGAL_CHECK_EQUAL(repaired(cracked_sheet(0), 0.).repairs.components, 2);
 }
 
 // Sheets that touch at a corner, or along parts of their edges, are as they are.
@@ -196,8 +196,8 @@ void touching_is_not_enough()
        {translated(sheet(1, 1), {1, .5, 0}), translated(rotated(sheet(1, 1), {0, 0, 1}, .7), {1, .5, 0})})
   {
     const Found found = repaired(merged({one, other}));
-    CHECK(found.repairs.is_nothing());
-    CHECK_EQUAL(found.repairs.components, 2);
+    CGAL_CHECK(found.repairs.is_nothing());
+    CGAL_CHECK_EQUAL(found.repairs.components, 2);
   }
 }
 
@@ -209,8 +209,8 @@ void the_order_of_the_polygons_does_not_matter()
   {
     const Found other = repaired(with_face_order(soup, random_permutation(soup.faces.size(), seed)),
                                  2e-4);
-    CHECK_EQUAL(other.repairs.joined_corners, found.repairs.joined_corners);
-    CHECK_EQUAL(other.border_edges, found.border_edges);
+    CGAL_CHECK_EQUAL(other.repairs.joined_corners, found.repairs.joined_corners);
+    CGAL_CHECK_EQUAL(other.border_edges, found.border_edges);
   }
 }
 

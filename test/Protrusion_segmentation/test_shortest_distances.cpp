@@ -37,7 +37,7 @@ void check_bitwise(const Test_mesh& mesh, std::size_t number_of_sources = 10)
   for (Index source = 0; source < surface.number_of_faces(); source += step)
   {
     shortest(source, distances);
-    CHECK(distances == boost_distances(surface, source));
+    CGAL_CHECK(distances == boost_distances(surface, source));
   }
 }
 
@@ -56,7 +56,7 @@ void equals_floyd_warshall()
       for (std::size_t f = 0; f < distances.size(); ++f)
         error = (std::max)(error, std::abs(distances[f] - expected[source][f]));
     }
-    CHECK(error < 1e-12);
+    CGAL_CHECK(error < 1e-12);
   }
 }
 
@@ -109,7 +109,7 @@ void zero_length_arcs_are_passed()
   std::vector<double> distances;
   Shortest_distances shortest(point);
   shortest(5, distances);
-  CHECK(distances == std::vector<double>(point.number_of_faces(), 0));
+  CGAL_CHECK(distances == std::vector<double>(point.number_of_faces(), 0));
 }
 
 void other_components_are_unreachable()
@@ -120,7 +120,7 @@ void other_components_are_unreachable()
   Shortest_distances shortest(surface);
   shortest(0, distances);
   for (std::size_t f = 0; f < distances.size(); ++f)
-    CHECK_EQUAL(distances[f] == Shortest_distances::unreachable(), f >= one.faces.size());
+    CGAL_CHECK_EQUAL(distances[f] == Shortest_distances::unreachable(), f >= one.faces.size());
   check_bitwise(merged({one, translated(one, {5, 0, 0})}));
 }
 
@@ -138,10 +138,10 @@ void a_bound_changes_no_distance_within_it()
     {
       shortest(0, bounded, bound);
       for (std::size_t f = 0; f < all.size(); ++f)
-        CHECK(all[f] <= bound ? bounded[f] == all[f] : bounded[f] >= all[f]);
+        CGAL_CHECK(all[f] <= bound ? bounded[f] == all[f] : bounded[f] >= all[f]);
     }
     shortest(0, bounded); // and leaves nothing behind
-    CHECK(all == bounded);
+    CGAL_CHECK(all == bounded);
   }
 }
 
@@ -151,7 +151,7 @@ void a_bound_saves_work()
   Shortest_distances shortest(surface);
   std::vector<double> distances;
   shortest(0, distances, 0.2);
-  CHECK(shortest.number_of_scanned_faces() < surface.number_of_faces() / 20);
+  CGAL_CHECK(shortest.number_of_scanned_faces() < surface.number_of_faces() / 20);
 }
 
 // Guards the work, not the time: about one scan a face.
@@ -165,8 +165,8 @@ void faces_are_scanned_about_once()
     std::vector<double> distances;
     for (Index source : {Index(0), surface.number_of_faces() / 2})
       shortest(source, distances);
-    CHECK_EQUAL(shortest.number_of_runs(), 2);
-    CHECK(double(shortest.number_of_scanned_faces()) <= 2 * 1.25 * surface.number_of_faces());
+    CGAL_CHECK_EQUAL(shortest.number_of_runs(), 2);
+    CGAL_CHECK(double(shortest.number_of_scanned_faces()) <= 2 * 1.25 * surface.number_of_faces());
   }
 }
 

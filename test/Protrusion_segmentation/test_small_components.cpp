@@ -89,17 +89,17 @@ void check_specks(const Method& method, Number... k)
   const Test_mesh mesh = with_specks(bodies());
   const std::size_t faces = bodies().faces.size(), of_speck = icosahedron().faces.size();
   const Found without = segment(bodies(), method, k...), with = segment(mesh, method, k...);
-  CHECK_EQUAL(without.number_of_small_components, 0);
-  CHECK_EQUAL(with.number_of_small_components, 2);
-  CHECK_EQUAL(with.segmentation.number, without.segmentation.number);
-  CHECK(first_labels(with.segmentation, faces) == without.segmentation.labels);
+  CGAL_CHECK_EQUAL(without.number_of_small_components, 0);
+  CGAL_CHECK_EQUAL(with.number_of_small_components, 2);
+  CGAL_CHECK_EQUAL(with.segmentation.number, without.segmentation.number);
+  CGAL_CHECK(first_labels(with.segmentation, faces) == without.segmentation.labels);
   for (const std::size_t begin : {faces, faces + of_speck})
   {
     const std::size_t nearest = nearest_face(mesh, faces, begin, begin + of_speck);
     for (std::size_t f = begin; f < begin + of_speck; ++f)
-      CHECK_EQUAL(with.segmentation.labels[f], with.segmentation.labels[nearest]);
+      CGAL_CHECK_EQUAL(with.segmentation.labels[f], with.segmentation.labels[nearest]);
   }
-  CHECK(with.segmentation.labels[faces] != with.segmentation.labels[faces + of_speck]);
+  CGAL_CHECK(with.segmentation.labels[faces] != with.segmentation.labels[faces + of_speck]);
 }
 
 void specks_change_nothing()
@@ -114,9 +114,9 @@ void specks_change_nothing()
 
 void a_speck_takes_no_segment_from_the_number()
 {
-  CHECK_EQUAL(segment(with_specks(bodies()), Minimum_cut_method(), 2).segmentation.number, 2);
-  CHECK_EQUAL(segment(with_specks(bodies()), Minimum_cut_method(), 1).segmentation.number, 2);
-  CHECK_EQUAL(segment(with_specks(figure()), Minimum_cut_method(), 1).segmentation.number, 1);
+  CGAL_CHECK_EQUAL(segment(with_specks(bodies()), Minimum_cut_method(), 2).segmentation.number, 2);
+  CGAL_CHECK_EQUAL(segment(with_specks(bodies()), Minimum_cut_method(), 1).segmentation.number, 2);
+  CGAL_CHECK_EQUAL(segment(with_specks(figure()), Minimum_cut_method(), 1).segmentation.number, 1);
 }
 
 void the_order_of_the_faces_does_not_matter()
@@ -127,9 +127,9 @@ void the_order_of_the_faces_does_not_matter()
   {
     const std::vector<std::size_t> order = random_permutation(mesh.faces.size(), seed);
     const Segmentation found = segment(with_face_order(mesh, order), Minimum_cut_method(), 6).segmentation;
-    CHECK_EQUAL(found.number, one.number);
+    CGAL_CHECK_EQUAL(found.number, one.number);
     for (std::size_t i = 0; i < order.size(); ++i)
-      CHECK_EQUAL(found.labels[i], one.labels[order[i]]);
+      CGAL_CHECK_EQUAL(found.labels[i], one.labels[order[i]]);
   }
 }
 
@@ -138,7 +138,7 @@ void units_do_not_matter()
   const Test_mesh mesh = with_specks(bodies());
   const Segmentation one = segment(mesh, Minimum_cut_method(), 6).segmentation;
   for (const double unit : {std::ldexp(1., -600), std::ldexp(1., 600)})
-    CHECK(segment(scaled(mesh, unit), Minimum_cut_method(), 6).segmentation.labels == one.labels);
+    CGAL_CHECK(segment(scaled(mesh, unit), Minimum_cut_method(), 6).segmentation.labels == one.labels);
 }
 
 void components_that_are_alike_are_no_specks()
@@ -147,8 +147,8 @@ void components_that_are_alike_are_no_specks()
   for (int i = 0; i < 2000; ++i)
     links.push_back(translated(tetrahedron(), {3. * i, 0, 0}));
   const Found found = segment(merged(links), Minimum_cut_method(), 1);
-  CHECK_EQUAL(found.segmentation.number, 2000);
-  CHECK_EQUAL(found.number_of_small_components, 0);
+  CGAL_CHECK_EQUAL(found.segmentation.number, 2000);
+  CGAL_CHECK_EQUAL(found.number_of_small_components, 0);
 }
 
 // It is small beside the floor, but has more faces.
@@ -157,24 +157,24 @@ void a_figure_on_a_large_floor_is_no_speck()
   const Test_mesh floor = translated(sheet(3, 3, 300, 300), {-450, -450, -4});
   const Found found = segment(merged({figure(), floor}), Minimum_cut_method());
   const Found alone = segment(figure(), Minimum_cut_method());
-  CHECK_EQUAL(found.segmentation.number, alone.segmentation.number + 1);
-  CHECK_EQUAL(found.number_of_small_components, 0);
+  CGAL_CHECK_EQUAL(found.segmentation.number, alone.segmentation.number + 1);
+  CGAL_CHECK_EQUAL(found.number_of_small_components, 0);
 }
 
 void hierarchies_have_no_segments_for_specks()
 {
   const Mesh without = to_graph<Mesh>(bodies()), with = to_graph<Mesh>(with_specks(bodies()));
   const Segment_hierarchy expected = CGAL::protrusion_hierarchy(without, 6), found = CGAL::protrusion_hierarchy(with, 6);
-  CHECK_EQUAL(found.minimum_number_of_segments(), 2);
-  CHECK_EQUAL(found.maximum_number_of_segments(), expected.maximum_number_of_segments());
+  CGAL_CHECK_EQUAL(found.minimum_number_of_segments(), 2);
+  CGAL_CHECK_EQUAL(found.maximum_number_of_segments(), expected.maximum_number_of_segments());
   for (std::size_t k = 2; k <= expected.maximum_number_of_segments(); ++k)
   {
     Segment_ids<Mesh> ids(with), expected_ids(without);
     found.segment_ids(with, k, ids.map());
     expected.segment_ids(without, k, expected_ids.map());
     const Labels labels = ids.labels();
-    CHECK(Labels(labels.begin(), labels.begin() + std::ptrdiff_t(bodies().faces.size())) == expected_ids.labels());
-    CHECK(*std::max_element(labels.begin(), labels.end()) == k - 1);
+    CGAL_CHECK(Labels(labels.begin(), labels.begin() + std::ptrdiff_t(bodies().faces.size())) == expected_ids.labels());
+    CGAL_CHECK(*std::max_element(labels.begin(), labels.end()) == k - 1);
   }
 }
 
@@ -188,8 +188,8 @@ std::vector<std::size_t> tips_of(const Test_mesh& soup, std::size_t number)
 
 void specks_have_no_tips()
 {
-  CHECK(tips_of(with_specks(bodies()), 8) == tips_of(bodies(), 8));
-  CHECK_EQUAL(tips_of(bodies(), 8).size(), 8);
+  CGAL_CHECK(tips_of(with_specks(bodies()), 8) == tips_of(bodies(), 8));
+  CGAL_CHECK_EQUAL(tips_of(bodies(), 8).size(), 8);
 }
 
 // A tip on a speck is one on the face that is nearest to it: here, at the tip of a protrusion.
@@ -207,9 +207,9 @@ void check_tip_on_speck(const Method& method)
     return checked(mesh, [&](auto ids) { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, method); });
   };
   const Segmentation found = segment_from(faces);
-  CHECK_EQUAL(found.number, 3);
-  CHECK_EQUAL(found.labels[faces], 2);
-  CHECK(found.labels == segment_from(nearest_face(soup, faces, faces, soup.faces.size())).labels);
+  CGAL_CHECK_EQUAL(found.number, 3);
+  CGAL_CHECK_EQUAL(found.labels[faces], 2);
+  CGAL_CHECK(found.labels == segment_from(nearest_face(soup, faces, faces, soup.faces.size())).labels);
 }
 
 void tips_on_specks_are_tips_beside_them()

@@ -113,30 +113,30 @@ void check_no_border_is_worse(const Lengths& before, const Lengths& after)
 Smoothed checked(const Test_mesh& soup, const Labels& labels, unsigned int rounds = 3)
 {
   const Smoothed result = smooth(soup, labels, CGAL::parameters::number_of_iterations(rounds));
-  CHECK(CGAL::is_valid_polygon_mesh(result.mesh));
+  CGAL_CHECK(CGAL::is_valid_polygon_mesh(result.mesh));
   const Test_mesh pieces = to_soup(result.mesh);
-  CHECK_EQUAL(CGAL::is_closed(result.mesh), number_of_border_edges(soup) == 0);
-  CHECK_EQUAL(euler_characteristic(pieces), euler_characteristic(soup));
+  CGAL_CHECK_EQUAL(CGAL::is_closed(result.mesh), number_of_border_edges(soup) == 0);
+  CGAL_CHECK_EQUAL(euler_characteristic(pieces), euler_characteristic(soup));
   std::vector<double> areas(soup.faces.size(), 0);
   for (std::size_t f = 0; f < pieces.faces.size(); ++f)
   {
-    CHECK(face_area(pieces, pieces.faces[f]) > 0);
+    CGAL_CHECK(face_area(pieces, pieces.faces[f]) > 0);
     areas[result.old_faces[f]] += face_area(pieces, pieces.faces[f]);
     if (soup.faces[result.old_faces[f]].size() == 3)
-      CHECK_EQUAL(pieces.faces[f].size(), 3);
-    CHECK(f == 0 || result.old_faces[f - 1] <= result.old_faces[f]);
+      CGAL_CHECK_EQUAL(pieces.faces[f].size(), 3);
+    CGAL_CHECK(f == 0 || result.old_faces[f - 1] <= result.old_faces[f]);
   }
   for (std::size_t f = 0; f < areas.size(); ++f)
   {
     const double old_area = face_area(soup, soup.faces[f]);
     // polygons are not quite plane, and their pieces lie in other planes
-    CHECK_CLOSE(areas[f], old_area, (soup.faces[f].size() == 3 ? 1e-12 : 1e-4) * old_area);
+    CGAL_CHECK_CLOSE(areas[f], old_area, (soup.faces[f].size() == 3 ? 1e-12 : 1e-4) * old_area);
   }
   for (std::size_t v = 0; v < soup.points.size(); ++v)
-    CHECK(pieces.points[v] == soup.points[v]);
-  CHECK(std::set<std::size_t>(labels.begin(), labels.end()) ==
+    CGAL_CHECK(pieces.points[v] == soup.points[v]);
+  CGAL_CHECK(std::set<std::size_t>(labels.begin(), labels.end()) ==
         std::set<std::size_t>(result.segments.begin(), result.segments.end()));
-  CHECK_EQUAL(number_of_pieces(pieces, result.segments), number_of_pieces(soup, labels));
+  CGAL_CHECK_EQUAL(number_of_pieces(pieces, result.segments), number_of_pieces(soup, labels));
   check_no_border_is_worse(border_lengths(to_graph<Mesh>(soup), labels), border_lengths(result.mesh, result.segments));
   return result;
 }
@@ -162,16 +162,16 @@ void a_border_around_a_cylinder_becomes_a_circle()
     slices_for(1, spacing)));
   const Labels labels = ragged_labels(soup, 1.53, 0.03);
   const double before = length_of_borders(to_graph<Mesh>(soup), labels);
-  CHECK(before > 1.2 * 2 * pi);
+  CGAL_CHECK(before > 1.2 * 2 * pi);
   double last = before;
   for (unsigned int rounds : {3, 10, 30})
   {
     const Smoothed result = checked(soup, labels, rounds);
-    CHECK_EQUAL(result.number_of_fixed_segments, 0);
+    CGAL_CHECK_EQUAL(result.number_of_fixed_segments, 0);
     const double length = length_of_borders(result.mesh, result.segments);
-    CHECK(length < last);
+    CGAL_CHECK(length < last);
     last = length;
-    CHECK_CLOSE(length, 2 * pi, (rounds == 3 ? 0.03 : 0.01) * 2 * pi);
+    CGAL_CHECK_CLOSE(length, 2 * pi, (rounds == 3 ? 0.03 : 0.01) * 2 * pi);
   }
 }
 
@@ -181,9 +181,9 @@ void a_border_around_a_ball_becomes_a_circle()
   const Test_mesh soup = icosphere(4);
   const Labels labels = ragged_labels(soup, 0.1, 0);
   const double circle = 2 * pi * std::sqrt(1 - 0.01);
-  CHECK(length_of_borders(to_graph<Mesh>(soup), labels) > 1.1 * circle);
+  CGAL_CHECK(length_of_borders(to_graph<Mesh>(soup), labels) > 1.1 * circle);
   const Smoothed result = checked(soup, labels);
-  CHECK_CLOSE(length_of_borders(result.mesh, result.segments), circle, 0.03 * circle);
+  CGAL_CHECK_CLOSE(length_of_borders(result.mesh, result.segments), circle, 0.03 * circle);
 }
 
 // Of equal angles around the axis.
@@ -247,7 +247,7 @@ void borders_of_patches_get_no_longer()
         const Labels labels = patches(soup, 4 + seed % 9, deviation, seed);
         const Smoothed result = checked(soup, labels, rounds);
         if (deviation == 0 && rounds == 3) // most of the raggedness goes all the same
-          CHECK(length_of_borders(result.mesh, result.segments) <
+          CGAL_CHECK(length_of_borders(result.mesh, result.segments) <
                 0.9 * length_of_borders(to_graph<Mesh>(soup), labels));
       }
 }
@@ -276,7 +276,7 @@ void a_straight_border_is_not_bent()
     labels.push_back(c[1] > 10 ? 2 : 2 * c[0] > c[1] + 10 ? 1 : 0);
   }
   const Smoothed result = checked(soup, labels);
-  CHECK(length_of_borders(result.mesh, result.segments) < 0.99 * length_of_borders(to_graph<Mesh>(soup), labels));
+  CGAL_CHECK(length_of_borders(result.mesh, result.segments) < 0.99 * length_of_borders(to_graph<Mesh>(soup), labels));
 }
 
 void the_order_of_faces_does_not_matter()
@@ -287,10 +287,10 @@ void the_order_of_faces_does_not_matter()
     soup.parts = patches(soup, 7, 0.04, seed);
     const Test_mesh shuffled = with_face_order(soup, random_permutation(soup.faces.size(), seed));
     const Smoothed one = checked(soup, soup.parts), other = checked(shuffled, shuffled.parts);
-    CHECK_EQUAL(one.number_of_fixed_segments, other.number_of_fixed_segments);
+    CGAL_CHECK_EQUAL(one.number_of_fixed_segments, other.number_of_fixed_segments);
     Lengths others = border_lengths(other.mesh, other.segments);
     for (const auto& [segments, length] : border_lengths(one.mesh, one.segments))
-      CHECK_CLOSE(others[segments], length, 1e-9 * length);
+      CGAL_CHECK_CLOSE(others[segments], length, 1e-9 * length);
   }
 }
 
@@ -308,7 +308,7 @@ void open_meshes_stay_open()
     labels.push_back(centroid(soup, face)[0] + centroid(soup, face)[1] > 20.4 ? 1 : 0);
   const Smoothed result = checked(soup, labels);
   const double length = length_of_borders(result.mesh, result.segments); // its ends bend towards the boundary
-  CHECK(length > 0.94 * 19.6 * std::sqrt(2.) && length < 1.001 * 19.6 * std::sqrt(2.));
+  CGAL_CHECK(length > 0.94 * 19.6 * std::sqrt(2.) && length < 1.001 * 19.6 * std::sqrt(2.));
 }
 
 // A thin leg, part 0, under a wide plate whose first ring of faces is long.
@@ -328,8 +328,8 @@ void a_border_that_would_get_longer_stays()
   {
     const Labels labels(soup.parts.begin(), soup.parts.end());
     const Smoothed result = checked(soup, labels);
-    CHECK_EQUAL(result.number_of_fixed_segments, 0);
-    CHECK(result.segments == labels);
+    CGAL_CHECK_EQUAL(result.number_of_fixed_segments, 0);
+    CGAL_CHECK(result.segments == labels);
   }
 }
 
@@ -346,10 +346,10 @@ void a_smooth_border_may_end_at_one_that_stays()
       labels.push_back(soup.parts[f] == 0 ? 0 : std::atan2(c[1], c[0]) > (is_in_odd_ring ? 0.14 : 0) ? 1 : 2);
     }
     const Smoothed result = checked(soup, labels);
-    CHECK_EQUAL(result.number_of_fixed_segments, 0);
+    CGAL_CHECK_EQUAL(result.number_of_fixed_segments, 0);
     for (std::size_t f = 0; f < result.segments.size(); ++f)
-      CHECK_EQUAL(result.segments[f] == 0, labels[result.old_faces[f]] == 0);
-    CHECK(length_of_borders(result.mesh, result.segments) < 0.95 * length_of_borders(to_graph<Mesh>(soup), labels));
+      CGAL_CHECK_EQUAL(result.segments[f] == 0, labels[result.old_faces[f]] == 0);
+    CGAL_CHECK(length_of_borders(result.mesh, result.segments) < 0.95 * length_of_borders(to_graph<Mesh>(soup), labels));
   }
 }
 
@@ -362,13 +362,13 @@ void thin_segments_keep_their_faces()
                                        { return centroid(soup, f)[2] < centroid(soup, g)[2]; });
   labels[std::size_t(lowest - soup.faces.begin())] = 2;
   const Smoothed result = checked(soup, labels, 20);
-  CHECK_EQUAL(result.number_of_fixed_segments, 1);
+  CGAL_CHECK_EQUAL(result.number_of_fixed_segments, 1);
   for (std::size_t f = 0; f < result.segments.size(); ++f)
-    CHECK_EQUAL(result.segments[f] == 2, labels[result.old_faces[f]] == 2);
+    CGAL_CHECK_EQUAL(result.segments[f] == 2, labels[result.old_faces[f]] == 2);
   for (std::size_t f = 0; f < labels.size(); ++f)
     if (std::abs(centroid(soup, soup.faces[f])[2] + 0.6) < 0.04)
       labels[f] = 3;
-  CHECK(checked(soup, labels, 20).number_of_fixed_segments >= 2);
+  CGAL_CHECK(checked(soup, labels, 20).number_of_fixed_segments >= 2);
 }
 
 // Segments need not hang together, ids need not be consecutive, and a mesh may be in one segment.
@@ -380,7 +380,7 @@ void any_labels_are_accepted()
     label = label == 1 ? 1000000 : 17;
   checked(soup, labels);
   const Smoothed one = checked(soup, Labels(soup.faces.size(), 5));
-  CHECK_EQUAL(one.segments.size(), soup.faces.size());
+  CGAL_CHECK_EQUAL(one.segments.size(), soup.faces.size());
   std::mt19937 random(3);
   for (std::size_t& label : labels)
     label = random() % 3;
@@ -392,8 +392,8 @@ void no_iteration_leaves_all_as_it_is()
   const Test_mesh soup = icosphere(3);
   const Labels labels = ragged_labels(soup, 0.1, 0);
   const Smoothed result = checked(soup, labels, 0);
-  CHECK(result.segments == labels);
-  CHECK_EQUAL(result.number_of_fixed_segments, 2);
+  CGAL_CHECK(result.segments == labels);
+  CGAL_CHECK_EQUAL(result.number_of_fixed_segments, 2);
 }
 
 // Faces without area, and coordinates near the ends of what a double can be.
@@ -404,28 +404,28 @@ void coordinates_may_be_awkward()
   for (const double factor : {1e-300, 1e300})
   {
     const Smoothed result = smooth(scaled(flat, factor), labels, CGAL::parameters::number_of_iterations(3));
-    CHECK(CGAL::is_valid_polygon_mesh(result.mesh));
-    CHECK_EQUAL(result.number_of_fixed_segments, 0);
+    CGAL_CHECK(CGAL::is_valid_polygon_mesh(result.mesh));
+    CGAL_CHECK_EQUAL(result.number_of_fixed_segments, 0);
   }
   flat.points[3] = flat.points[flat.faces[0][0]];
   for (Point& point : flat.points)
     point[0] = 0;
   const Smoothed result = smooth(flat, labels, CGAL::parameters::default_values());
-  CHECK(CGAL::is_valid_polygon_mesh(result.mesh));
+  CGAL_CHECK(CGAL::is_valid_polygon_mesh(result.mesh));
 }
 
 void bad_input_is_refused()
 {
   Test_mesh soup = icosphere(1);
   const Labels labels = ragged_labels(soup, 0.1, 0);
-  CHECK_THROWS_WITH(smooth(soup, labels, CGAL::parameters::number_of_iterations(-1)), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(smooth(soup, labels, CGAL::parameters::number_of_iterations(-1)), std::invalid_argument,
                     "number_of_iterations is -1");
   soup.points[2][1] = std::numeric_limits<double>::quiet_NaN();
-  CHECK_THROWS_WITH(smooth(soup, labels, CGAL::parameters::default_values()), std::invalid_argument, "not finite");
+  CGAL_CHECK_THROWS_WITH(smooth(soup, labels, CGAL::parameters::default_values()), std::invalid_argument, "not finite");
   // two triangles with an edge in the same direction
   const CGAL::Protrusion_segmentation::Indexed_surface surface(
     {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 3, 6}, {0, 1, 2, 0, 1, 3}, std::vector<Index>(6, CGAL::Protrusion_segmentation::Indexed_surface::no_face()));
-  CHECK_THROWS_WITH(CGAL::Protrusion_segmentation::internal::check_edges_are_single(surface), std::invalid_argument,
+  CGAL_CHECK_THROWS_WITH(CGAL::Protrusion_segmentation::internal::check_edges_are_single(surface), std::invalid_argument,
                     "two edges");
 }
 

@@ -67,7 +67,7 @@ public:
       const std::size_t questions = counters.questions;
       m_distances = std::make_shared<Distances>(distance.on(surface, execution));
       const std::size_t runs = m_distances->number_of_runs();
-      CHECK(counters.questions - questions >= runs);
+      CGAL_CHECK(counters.questions - questions >= runs);
       counters.runs_in_preparation += runs;
       counters.runs_on_surfaces.push_back([distances = m_distances]()
                                           { return distances->number_of_runs(); });
@@ -135,16 +135,16 @@ void check_questions(const std::string& name, const Mesh& mesh, const Distance& 
 {
   Counters counters;
   Counting_visitor visitor(counters);
-  CHECK_EQUAL(segment(mesh, Method(Counted_distance<Distance>(distance, counters)), visitor),
+  CGAL_CHECK_EQUAL(segment(mesh, Method(Counted_distance<Distance>(distance, counters)), visitor),
               number_of_segments);
   check_stages_and_progress(visitor);
   std::cout << name << ", " << mesh.number_of_faces() << " faces: " << counters.questions
             << " questions, " << counters.runs() << " distance computations, "
             << number_of_different(visitor.shares) << " values of progress\n";
-  CHECK(counters.runs() > 10);
-  CHECK_EQUAL(counters.runs(), visitor.number_of_runs());
-  CHECK_EQUAL(visitor.largest_number_of_runs_between_questions(), 1);
-  CHECK(number_of_different(visitor.shares) > least_number_of_shares);
+  CGAL_CHECK(counters.runs() > 10);
+  CGAL_CHECK_EQUAL(counters.runs(), visitor.number_of_runs());
+  CGAL_CHECK_EQUAL(visitor.largest_number_of_runs_between_questions(), 1);
+  CGAL_CHECK(number_of_different(visitor.shares) > least_number_of_shares);
 }
 
 // Some questions, the first and the last among them: nothing is written, whatever is under way.
@@ -152,15 +152,15 @@ template <typename Method>
 void check_stops(const Mesh& mesh, const Method& method)
 {
   Recorder<Mesh> all;
-  CHECK_EQUAL(segment(mesh, method, all), number_of_segments);
+  CGAL_CHECK_EQUAL(segment(mesh, method, all), number_of_segments);
   constexpr std::size_t number_of_stops = 12;
   for (std::size_t i = 0; i <= number_of_stops; ++i)
   {
     Recorder<Mesh> recorder;
     recorder.stop_at = 1 + i * (all.questions - 1) / number_of_stops;
-    CHECK_THROWS_AS(segment(mesh, method, recorder), Segmentation_stopped);
-    CHECK_EQUAL(recorder.questions, recorder.stop_at);
-    CHECK(recorder.open.empty());
+    CGAL_CHECK_THROWS_AS(segment(mesh, method, recorder), Segmentation_stopped);
+    CGAL_CHECK_EQUAL(recorder.questions, recorder.stop_at);
+    CGAL_CHECK(recorder.open.empty());
   }
 }
 
@@ -188,14 +188,14 @@ public:
 void check_default_method(const Mesh& mesh)
 {
   Visitor_of_tips visitor;
-  CHECK_EQUAL(segment(mesh, Minimum_cut_method(), visitor), number_of_segments);
+  CGAL_CHECK_EQUAL(segment(mesh, Minimum_cut_method(), visitor), number_of_segments);
   check_stages_and_progress(visitor);
   std::cout << "default method, " << mesh.number_of_faces() << " faces: " << visitor.questions
             << " questions, " << visitor.questions_while_tips_are_selected << " of them for "
             << visitor.number_of_runs() << " shortest path computations, " << number_of_different(visitor.shares)
             << " values of progress\n";
-  CHECK(visitor.questions_while_tips_are_selected >= visitor.number_of_runs());
-  CHECK(number_of_different(visitor.shares) > least_number_of_shares);
+  CGAL_CHECK(visitor.questions_while_tips_are_selected >= visitor.number_of_runs());
+  CGAL_CHECK(number_of_different(visitor.shares) > least_number_of_shares);
   check_stops(mesh, Minimum_cut_method());
 }
 
@@ -210,13 +210,13 @@ void check_given_tips(const Mesh& mesh, const Method& method)
   checked(mesh,
           [&](auto ids) { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids, method, np); });
   check_stages_and_progress(recorder);
-  CHECK(recorder.questions > tips.size());
+  CGAL_CHECK(recorder.questions > tips.size());
 }
 
 int main()
 {
   const Mesh mesh = to_graph<Mesh>(star(4));
-  CHECK(mesh.number_of_faces() > 3000);
+  CGAL_CHECK(mesh.number_of_faces() > 3000);
   check_default_method(mesh);
   check_given_tips(mesh, Histogram_method());
   check_given_tips(mesh, Minimum_cut_method());

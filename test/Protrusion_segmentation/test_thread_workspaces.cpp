@@ -45,7 +45,7 @@ std::size_t total(const Thread_workspaces<Counting_workspace>& workspaces)
 void check_all_once(const std::vector<std::atomic<int>>& visits)
 {
   for (const std::atomic<int>& visit : visits)
-    CHECK_EQUAL(visit.load(), 1);
+    CGAL_CHECK_EQUAL(visit.load(), 1);
 }
 
 void every_index_comes_once(bool parallel, std::size_t most_threads)
@@ -63,10 +63,10 @@ void every_index_comes_once(bool parallel, std::size_t most_threads)
                                 ++visits[i];
                               });
     check_all_once(visits);
-    CHECK_EQUAL(total(workspaces), expected += n);
+    CGAL_CHECK_EQUAL(total(workspaces), expected += n);
   }
-  CHECK(made <= 1 + most_threads);
-  CHECK_EQUAL(workspaces.own().done(), parallel ? 0 : expected);
+  CGAL_CHECK(made <= 1 + most_threads);
+  CGAL_CHECK_EQUAL(workspaces.own().done(), parallel ? 0 : expected);
 }
 
 void loops_may_be_nested(bool parallel, std::size_t most_threads)
@@ -87,9 +87,9 @@ void loops_may_be_nested(bool parallel, std::size_t most_threads)
                             });
   for (std::size_t i = 0; i < squares.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      CHECK_EQUAL(squares[i][j], j * j);
-  CHECK_EQUAL(total(workspaces), 30u * 29 / 2);
-  CHECK(made <= 1 + most_threads);
+      CGAL_CHECK_EQUAL(squares[i][j], j * j);
+  CGAL_CHECK_EQUAL(total(workspaces), 30u * 29 / 2);
+  CGAL_CHECK(made <= 1 + most_threads);
 }
 
 void without_threads_indices_are_in_order()
@@ -98,8 +98,8 @@ void without_threads_indices_are_in_order()
   Thread_workspaces<Counting_workspace> workspaces(made);
   std::vector<std::size_t> order;
   workspaces.for_each_index(5, false, [&](Counting_workspace&, std::size_t i) { order.push_back(i); });
-  CHECK(order == (std::vector<std::size_t>{0, 1, 2, 3, 4}));
-  CHECK_EQUAL(made.load(), 1u);
+  CGAL_CHECK(order == (std::vector<std::size_t>{0, 1, 2, 3, 4}));
+  CGAL_CHECK_EQUAL(made.load(), 1u);
 }
 
 // An exception leaves the loop, and the workspaces serve the next one.
@@ -123,10 +123,10 @@ void exceptions_get_through(bool parallel)
   {
     is_caught = true;
   }
-  CHECK(is_caught);
+  CGAL_CHECK(is_caught);
   workspaces.for_each_index(20, parallel,
                             [](Counting_workspace& workspace, std::size_t) { workspace.work(); });
-  CHECK_EQUAL(total(workspaces), 20u);
+  CGAL_CHECK_EQUAL(total(workspaces), 20u);
 }
 
 int main()

@@ -113,19 +113,19 @@ Test_mesh stack(int nx, int ny, int nz)
 void check_solids(const Test_mesh& soup, std::vector<double> volumes, double tolerance = 1e-6)
 {
   const Found found = repaired(soup);
-  CHECK_EQUAL(found.repairs.duplicate_polygons, 0);
-  CHECK_EQUAL(found.repairs.components, volumes.size());
-  CHECK_EQUAL(found.components.size(), volumes.size());
+  CGAL_CHECK_EQUAL(found.repairs.duplicate_polygons, 0);
+  CGAL_CHECK_EQUAL(found.repairs.components, volumes.size());
+  CGAL_CHECK_EQUAL(found.components.size(), volumes.size());
   std::sort(volumes.begin(), volumes.end());
   std::vector<double> of_found;
   for (const Test_mesh& component : found.components)
   {
-    CHECK_EQUAL(number_of_border_edges(component), 0);
+    CGAL_CHECK_EQUAL(number_of_border_edges(component), 0);
     of_found.push_back(volume(component));
   }
   std::sort(of_found.begin(), of_found.end());
   for (std::size_t i = 0; i < (std::min)(volumes.size(), of_found.size()); ++i)
-    CHECK_CLOSE(of_found[i], volumes[i], tolerance);
+    CGAL_CHECK_CLOSE(of_found[i], volumes[i], tolerance);
 }
 
 void cubes_of_a_stack_are_solids()
@@ -208,18 +208,18 @@ void duplicates_are_left_out()
       Test_mesh soup = stack_of_cubes;
       soup.add_face(soup.faces[f]);
       const Found found = repaired(soup);
-      CHECK_EQUAL(found.repairs.duplicate_polygons, 1);
-      CHECK_EQUAL(found.repairs.components, 4);
+      CGAL_CHECK_EQUAL(found.repairs.duplicate_polygons, 1);
+      CGAL_CHECK_EQUAL(found.repairs.components, 4);
     }
     const Found twice = repaired(merged({stack_of_cubes, stack_of_cubes}));
-    CHECK_EQUAL(twice.repairs.duplicate_polygons, stack_of_cubes.faces.size());
-    CHECK_EQUAL(twice.repairs.components, 4);
+    CGAL_CHECK_EQUAL(twice.repairs.duplicate_polygons, stack_of_cubes.faces.size());
+    CGAL_CHECK_EQUAL(twice.repairs.components, 4);
   }
   for (const Test_mesh& cube : with_all_kinds_of_points(triangulated(box())))
   {
     const Found found = repaired(merged({cube, with_reversed_orientation(cube)}));
-    CHECK_EQUAL(found.repairs.duplicate_polygons, 12);
-    CHECK_EQUAL(found.repairs.components, 1);
+    CGAL_CHECK_EQUAL(found.repairs.duplicate_polygons, 12);
+    CGAL_CHECK_EQUAL(found.repairs.components, 1);
   }
 }
 

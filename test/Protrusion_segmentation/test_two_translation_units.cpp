@@ -18,7 +18,7 @@ int main()
   CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3> mesh;
   CGAL::make_icosahedron(mesh, CGAL::Simple_cartesian<double>::Point_3(0, 0, 0));
   auto ids = mesh.add_property_map<CGAL::SM_Face_index, std::size_t>("f:segment", 0).first;
-  CHECK_EQUAL(CGAL::segmentation_via_protrusion_tips(mesh, ids, 1), 1);
-  CHECK_EQUAL(number_of_segments_in_second_unit(), 1);
+  CGAL_CHECK_EQUAL(CGAL::segmentation_via_protrusion_tips(mesh, ids, 1), 1);
+  CGAL_CHECK_EQUAL(number_of_segments_in_second_unit(), 1);
   return check::result();
 }

@@ -72,10 +72,10 @@ void check_wrapped(const Distance& distance)
 {
   const auto [expected, expected_runs] = result_of(Method(distance));
   const auto [found, runs] = result_of(Method(Wrapper<Distance>(distance)));
-  CHECK_EQUAL(found.number, 4);
-  CHECK(found.labels == expected.labels);
-  CHECK_EQUAL(runs, expected_runs);
-  CHECK(runs > 0);
+  CGAL_CHECK_EQUAL(found.number, 4);
+  CGAL_CHECK(found.labels == expected.labels);
+  CGAL_CHECK_EQUAL(runs, expected_runs);
+  CGAL_CHECK(runs > 0);
 }
 
 template <typename Distance>
@@ -86,7 +86,7 @@ void a_wrapped_distance_is_as_good(const Distance& distance)
   std::vector<Mesh::Face_index> tips, wrapped_tips;
   CGAL::protrusion_tips(small_mesh(), 5, std::back_inserter(tips), distance);
   CGAL::protrusion_tips(small_mesh(), 5, std::back_inserter(wrapped_tips), Wrapper<Distance>(distance));
-  CHECK(tips == wrapped_tips);
+  CGAL_CHECK(tips == wrapped_tips);
 }
 
 // The distance of the faces' numbers, but for one answer.
@@ -121,8 +121,8 @@ template <typename Call>
 void check_refused_call(Call call, const std::string& message)
 {
   Segment_ids<Mesh> ids(small_mesh());
-  CHECK_THROWS_WITH(call(ids.map()), std::invalid_argument, message);
-  CHECK(is_untouched({0, ids.labels()}));
+  CGAL_CHECK_THROWS_WITH(call(ids.map()), std::invalid_argument, message);
+  CGAL_CHECK(is_untouched({0, ids.labels()}));
 }
 
 template <typename Method>
@@ -146,7 +146,7 @@ void check_method_refuses(const Faulty_distance& distance, const std::string& me
       },
       message);
   check_refused_call([&](auto) { return CGAL::protrusion_hierarchy(mesh, 4, method); }, message);
-  CHECK(is_border.empty());
+  CGAL_CHECK(is_border.empty());
 }
 
 void check_refused(const Faulty_distance& distance, const std::string& message)
@@ -154,9 +154,9 @@ void check_refused(const Faulty_distance& distance, const std::string& message)
   check_method_refuses<Histogram_method>(distance, message);
   check_method_refuses<Minimum_cut_method>(distance, message);
   std::vector<Mesh::Face_index> tips;
-  CHECK_THROWS_WITH(CGAL::protrusion_tips(small_mesh(), 4, std::back_inserter(tips), distance),
+  CGAL_CHECK_THROWS_WITH(CGAL::protrusion_tips(small_mesh(), 4, std::back_inserter(tips), distance),
                     std::invalid_argument, message);
-  CHECK(tips.empty());
+  CGAL_CHECK(tips.empty());
 }
 
 void nonsense_is_refused()

@@ -35,27 +35,27 @@ template <typename FaceGraph>
 void finds_each_problem()
 {
   const FaceGraph mesh = to_graph<FaceGraph>(sheet(3, 2));
-  CHECK_EQUAL(problem(mesh, {0, 0, 0, 0, 0, 0}, 1), "");
-  CHECK_EQUAL(problem(mesh, {0, 0, 1, 2, 2, 1}, 3), "");
-  CHECK_EQUAL(problem(mesh, {5, 4, 3, 2, 1, 0}, 6), "");
-  CHECK_EQUAL(problem(mesh, {0, 0, 1, 0, 3, 1}, 3), "face 4 has segment 3, but there are 3 segments");
-  CHECK(problem(mesh, {0, 0, -1, 0, 0, 0}, 1).find("face 2 has segment") == 0);
-  CHECK_EQUAL(problem(mesh, {0, 0, 0, 0, 0, 0}, 0), "face 0 has segment 0, but there are 0 segments");
-  CHECK_EQUAL(problem(mesh, {0, 0, 2, 0, 2, 2}, 3), "segment 1 of 3 has no face");
-  CHECK_EQUAL(problem(mesh, {0, 0, 0, 0, 0, 0}, 2), "segment 1 of 2 has no face");
+  CGAL_CHECK_EQUAL(problem(mesh, {0, 0, 0, 0, 0, 0}, 1), "");
+  CGAL_CHECK_EQUAL(problem(mesh, {0, 0, 1, 2, 2, 1}, 3), "");
+  CGAL_CHECK_EQUAL(problem(mesh, {5, 4, 3, 2, 1, 0}, 6), "");
+  CGAL_CHECK_EQUAL(problem(mesh, {0, 0, 1, 0, 3, 1}, 3), "face 4 has segment 3, but there are 3 segments");
+  CGAL_CHECK(problem(mesh, {0, 0, -1, 0, 0, 0}, 1).find("face 2 has segment") == 0);
+  CGAL_CHECK_EQUAL(problem(mesh, {0, 0, 0, 0, 0, 0}, 0), "face 0 has segment 0, but there are 0 segments");
+  CGAL_CHECK_EQUAL(problem(mesh, {0, 0, 2, 0, 2, 2}, 3), "segment 1 of 3 has no face");
+  CGAL_CHECK_EQUAL(problem(mesh, {0, 0, 0, 0, 0, 0}, 2), "segment 1 of 2 has no face");
   // a common corner does not connect
-  CHECK_EQUAL(problem(mesh, {0, 1, 1, 2, 0, 1}, 3),
+  CGAL_CHECK_EQUAL(problem(mesh, {0, 1, 1, 2, 0, 1}, 3),
               "segment 0 is not connected: faces 0 and 4 are in different pieces");
-  CHECK_EQUAL(problem(FaceGraph(), {}, 0), "");
-  CHECK_EQUAL(problem(FaceGraph(), {}, 1), "segment 0 of 1 has no face");
+  CGAL_CHECK_EQUAL(problem(FaceGraph(), {}, 0), "");
+  CGAL_CHECK_EQUAL(problem(FaceGraph(), {}, 1), "segment 0 of 1 has no face");
 }
 
 void components_cannot_share_a_segment()
 {
   const auto mesh = to_graph<Surface_mesh>(
     merged({single_triangle(), translated(single_triangle(), {2, 0, 0})}));
-  CHECK_EQUAL(problem(mesh, {0, 1}, 2), "");
-  CHECK_EQUAL(problem(mesh, {0, 0}, 1),
+  CGAL_CHECK_EQUAL(problem(mesh, {0, 1}, 2), "");
+  CGAL_CHECK_EQUAL(problem(mesh, {0, 0}, 1),
               "segment 0 is not connected: faces 0 and 1 are in different pieces");
 }
 
@@ -63,8 +63,8 @@ void removed_faces_are_left_out()
 {
   auto mesh = to_graph<Surface_mesh>(sheet(3, 1));
   CGAL::Euler::remove_face(halfedge(Surface_mesh::Face_index(1), mesh), mesh);
-  CHECK_EQUAL(problem(mesh, {0, 1}, 2), "");
-  CHECK(problem(mesh, {0, 0}, 1) != "");
+  CGAL_CHECK_EQUAL(problem(mesh, {0, 1}, 2), "");
+  CGAL_CHECK(problem(mesh, {0, 0}, 1) != "");
 }
 
 int main()

@@ -185,25 +185,25 @@ inline int result()
 
 } // namespace check
 
-// `CHECK(condition)`. Variadic, so that a condition may hold commas: `CHECK(std::is_same_v<A, B>)`.
-#define CHECK(...)                                                                                       \
+// `CGAL_CHECK(condition)`. Variadic, so that a condition may hold commas: `CGAL_CHECK(std::is_same_v<A, B>)`.
+#define CGAL_CHECK(...)                                                                                       \
   check::report(static_cast<bool>(__VA_ARGS__), __FILE__, __LINE__, #__VA_ARGS__ " is false")
 
-// `CHECK_EQUAL(a, b)`: `a == b`; prints both values. Signed and unsigned integers may be mixed.
-#define CHECK_EQUAL(a, b) check::check_equal(a, b, __FILE__, __LINE__, #a " == " #b)
+// `CGAL_CHECK_EQUAL(a, b)`: `a == b`; prints both values. Signed and unsigned integers may be mixed.
+#define CGAL_CHECK_EQUAL(a, b) check::check_equal(a, b, __FILE__, __LINE__, #a " == " #b)
 
-// `CHECK_CLOSE(a, b, tolerance)`: `|a - b| <= tolerance` (absolute); prints all three values.
-#define CHECK_CLOSE(a, b, tolerance) check::check_close(a, b, tolerance, __FILE__, __LINE__, #a " == " #b)
+// `CGAL_CHECK_CLOSE(a, b, tolerance)`: `|a - b| <= tolerance` (absolute); prints all three values.
+#define CGAL_CHECK_CLOSE(a, b, tolerance) check::check_close(a, b, tolerance, __FILE__, __LINE__, #a " == " #b)
 
-// `CHECK_THROWS(expression, Exception)`: throws an `Exception` or a class derived from it.
-#define CHECK_THROWS(expression, Exception) CHECK_THROWS_WITH(expression, Exception, "")
+// `CGAL_CHECK_THROWS(expression, Exception)`: throws an `Exception` or a class derived from it.
+#define CGAL_CHECK_THROWS(expression, Exception) CGAL_CHECK_THROWS_WITH(expression, Exception, "")
 
 // The same for an exception that need not derive from `std::exception`.
-#define CHECK_THROWS_AS(expression, Exception)                                                           \
+#define CGAL_CHECK_THROWS_AS(expression, Exception)                                                           \
   check::check_throws_as<Exception>([&]() { static_cast<void>(expression); }, __FILE__, __LINE__, #expression)
 
 // Also checks that the message contains `part_of_message`.
-#define CHECK_THROWS_WITH(expression, Exception, part_of_message)                                        \
+#define CGAL_CHECK_THROWS_WITH(expression, Exception, part_of_message)                                        \
   check::check_throws<Exception>([&]() { static_cast<void>(expression); }, part_of_message, __FILE__,    \
                                  __LINE__, #expression)
 

@@ -28,17 +28,17 @@ inline void check_symmetry(const Seam_graph& graph)
       sum[0] += graph.capacity[arc];
       sum[1] += graph.length[arc];
       sum[2] += graph.border_length[arc];
-      CHECK(graph.capacity[arc] <= graph.border_length[arc] * (1 + 1e-6));
-      CHECK(graph.seam_length(arc) >= graph.length[arc]);
-      CHECK(graph.concave_length[arc] <= graph.border_length[arc] * (1 + 1e-6));
+      CGAL_CHECK(graph.capacity[arc] <= graph.border_length[arc] * (1 + 1e-6));
+      CGAL_CHECK(graph.seam_length(arc) >= graph.length[arc]);
+      CGAL_CHECK(graph.concave_length[arc] <= graph.border_length[arc] * (1 + 1e-6));
     }
   for (const auto& [arc, sum] : weights)
   {
     const auto opposite = weights.find({arc.second, arc.first});
-    CHECK(opposite != weights.end());
+    CGAL_CHECK(opposite != weights.end());
     if (opposite != weights.end())
       for (int i = 0; i < 3; ++i)
-        CHECK_CLOSE(opposite->second[i], sum[i], 1e-6);
+        CGAL_CHECK_CLOSE(opposite->second[i], sum[i], 1e-6);
   }
 }
 

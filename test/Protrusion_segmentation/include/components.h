@@ -43,10 +43,10 @@ inline std::vector<Index> labels_of_nodes(const internal::Component& component,
   for (std::size_t s = 0; s < set.segments.size(); ++s)
     for (const Index i : component.memo()[set.segments[s]].segment.nodes)
     {
-      CHECK_EQUAL(labels[i], Indexed_surface::no_face());
+      CGAL_CHECK_EQUAL(labels[i], Indexed_surface::no_face());
       labels[i] = Index(s);
     }
-  CHECK_EQUAL(std::count(labels.begin(), labels.end(), Indexed_surface::no_face()), 0);
+  CGAL_CHECK_EQUAL(std::count(labels.begin(), labels.end(), Indexed_surface::no_face()), 0);
   return labels;
 }
 

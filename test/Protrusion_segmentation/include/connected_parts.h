@@ -107,7 +107,7 @@ inline void check_connected(const Mesh& mesh,
 {
   const Connected found = connected(mesh, labels, parents, options);
   const std::vector<Part> flat = without_connectors(mesh, labels, parents);
-  CHECK_EQUAL(found.parts.size(), flat.size());
+  CGAL_CHECK_EQUAL(found.parts.size(), flat.size());
   double sum = 0;
   for (std::size_t s = 0; s < found.parts.size(); ++s)
   {
@@ -123,9 +123,9 @@ inline void check_connected(const Mesh& mesh,
     {
       const Volumes volumes = volumes_of(connector, options);
       expected -= volumes.socket - volumes.peg;
-      CHECK(connector.depth >= connector.radius / 2);
-      CHECK(connector.radius < connector.cap_radius);
-      CHECK_CLOSE(std::sqrt((connector.end - connector.base).squared_length()), connector.depth, 1e-9);
+      CGAL_CHECK(connector.depth >= connector.radius / 2);
+      CGAL_CHECK(connector.radius < connector.cap_radius);
+      CGAL_CHECK_CLOSE(std::sqrt((connector.end - connector.base).squared_length()), connector.depth, 1e-9);
     }
   check::report(std::abs(sum - expected) <= 1e-9 * std::abs(expected), __FILE__, __LINE__,
                 name + ": volumes add up to " + std::to_string(sum) + ", not to " +

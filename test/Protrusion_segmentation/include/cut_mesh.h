@@ -61,7 +61,7 @@ private:
   {
     namespace internal = CGAL::Protrusion_segmentation::internal;
     const Nodes nodes = faces_in(0, [](const Point&) { return true; });
-    CHECK(!inner.empty() && inner.size() < nodes.size());
+    CGAL_CHECK(!inner.empty() && inner.size() < nodes.size());
     const internal::Segment segment = {nodes, m_graph.area_of(nodes)};
     internal::Graph_partition partition(m_graph);
     internal::Bisection bisection(partition, segment);

@@ -31,7 +31,7 @@ struct Recorder : CGAL::Protrusion_segmentation::Segmentation_record<FaceGraph>
   }
   void end(const std::string& stage)
   {
-    CHECK(!open.empty() && open.back() == stage);
+    CGAL_CHECK(!open.empty() && open.back() == stage);
     open.pop_back();
   }
   void on_reading_begin()
@@ -50,7 +50,7 @@ struct Recorder : CGAL::Protrusion_segmentation::Segmentation_record<FaceGraph>
   void on_labels_end() { end("labels"); }
   void on_progress(double share)
   {
-    CHECK(share >= 0 && share <= 1);
+    CGAL_CHECK(share >= 0 && share <= 1);
     shares.push_back(share);
   }
   bool go_further() { return ++questions != stop_at; }
@@ -65,11 +65,11 @@ struct Recorder : CGAL::Protrusion_segmentation::Segmentation_record<FaceGraph>
 template <typename FaceGraph>
 void check_stages_and_progress(const Recorder<FaceGraph>& recorder)
 {
-  CHECK(recorder.open.empty());
+  CGAL_CHECK(recorder.open.empty());
   for (const char* stage : {"reading", "preparation", "tips", "borders", "labels"})
-    CHECK_EQUAL(stage + std::string(recorder.stages.count(stage) > 0 ? "" : " is missing"), stage);
-  CHECK(std::is_sorted(recorder.shares.begin(), recorder.shares.end()));
-  CHECK_EQUAL(recorder.shares.back(), 1);
+    CGAL_CHECK_EQUAL(stage + std::string(recorder.stages.count(stage) > 0 ? "" : " is missing"), stage);
+  CGAL_CHECK(std::is_sorted(recorder.shares.begin(), recorder.shares.end()));
+  CGAL_CHECK_EQUAL(recorder.shares.back(), 1);
 }
 
 } // namespace test_meshes

@@ -72,9 +72,9 @@ Segmentation checked(const FaceGraph& mesh, Segment segment)
   result.number = segment(ids.map());
   result.labels = ids.labels();
   if (result.number == 0)
-    CHECK(is_untouched(result));
+    CGAL_CHECK(is_untouched(result));
   else
-    CHECK_EQUAL(validation::problem_with_segmentation(mesh, ids.map(), result.number).value_or("no problem"),
+    CGAL_CHECK_EQUAL(validation::problem_with_segmentation(mesh, ids.map(), result.number).value_or("no problem"),
                 "no problem");
   return result;
 }
@@ -123,11 +123,11 @@ inline double share_in_true_parts(const Test_mesh& mesh, const Labels& labels)
 // As many segments as there are true parts, and at least `least_share` of the area in the right one.
 inline void check_parts(const Test_mesh& mesh, const Segmentation& found, double least_share)
 {
-  CHECK_EQUAL(found.number, number_of_parts(mesh));
+  CGAL_CHECK_EQUAL(found.number, number_of_parts(mesh));
   const double share = share_in_true_parts(mesh, found.labels);
   std::cout << mesh.faces.size() << " faces, " << found.number << " segments: " << 100 * share
             << " % of the area in the true part\n";
-  CHECK(share >= least_share);
+  CGAL_CHECK(share >= least_share);
 }
 
 } // namespace test_meshes

@@ -24,9 +24,9 @@ inline void check_segments(const Dual_graph& graph, const std::vector<Index>& la
     for (const Index arc : graph.arcs(i))
       neighbors[i].push_back(graph.target[arc]);
   const std::vector<std::size_t> ids(labels.begin(), labels.end());
-  CHECK_EQUAL(validation::problem_with_segment_ids(ids, number).value_or("no problem"), "no problem");
+  CGAL_CHECK_EQUAL(validation::problem_with_segment_ids(ids, number).value_or("no problem"), "no problem");
   const std::vector<bool> is_on_speck(ids.size(), false);
-  CHECK_EQUAL(
+  CGAL_CHECK_EQUAL(
     validation::problem_with_connectedness(neighbors, is_on_speck, ids, number).value_or("no problem"),
     "no problem");
 }

@@ -61,7 +61,7 @@ void check_is_a_metric(const Distance& distance, double tolerance)
         for (std::size_t k = 0; k < d.size(); ++k)
           violations += !(d[i][j] <= d[i][k] + d[k][j] + slack);
       }
-    CHECK_EQUAL(violations, 0);
+    CGAL_CHECK_EQUAL(violations, 0);
   }
 }
 
@@ -78,7 +78,7 @@ void check_search_finds_the_largest_sum(const Distance& distance, double toleran
       sums.push_back(PS::internal::distance_sum(row));
     const double largest = *std::max_element(sums.begin(), sums.end());
     const Index face = distance.on(surface, quiet_execution()).face_of_largest_sum();
-    CHECK_CLOSE(sums[face], largest, tolerance * largest);
+    CGAL_CHECK_CLOSE(sums[face], largest, tolerance * largest);
   }
 }
 
@@ -137,11 +137,11 @@ void check_survives_awkward_surfaces(const Distance& distance)
     for (Index f = 0; f < surface.number_of_faces(); f += 7)
     {
       distances(f, row);
-      CHECK_EQUAL(row.size(), surface.number_of_faces());
-      CHECK(std::all_of(row.begin(), row.end(), [](double d) { return d >= 0 && !std::isnan(d); }));
+      CGAL_CHECK_EQUAL(row.size(), surface.number_of_faces());
+      CGAL_CHECK(std::all_of(row.begin(), row.end(), [](double d) { return d >= 0 && !std::isnan(d); }));
     }
-    CHECK(distances.face_of_largest_sum() < surface.number_of_faces());
-    CHECK(distances.number_of_runs() > 0);
+    CGAL_CHECK(distances.face_of_largest_sum() < surface.number_of_faces());
+    CGAL_CHECK(distances.number_of_runs() > 0);
   }
 }
 
@@ -174,18 +174,18 @@ void check_segments_stars(const Distance& distance, std::size_t most_arms = 6, d
     std::set<std::size_t> parts_with_tip;
     for (const Mesh::Face_index tip : tips)
       parts_with_tip.insert(soup.parts[tip]);
-    CHECK_EQUAL(parts_with_tip.size(), arms);
-    CHECK_EQUAL(parts_with_tip.count(0), 0); // the body
+    CGAL_CHECK_EQUAL(parts_with_tip.size(), arms);
+    CGAL_CHECK_EQUAL(parts_with_tip.count(0), 0); // the body
 
     std::vector<std::size_t> ids(soup.faces.size());
     const auto map = boost::make_iterator_property_map(ids.begin(), get(boost::face_index, mesh));
-    CHECK_EQUAL(
+    CGAL_CHECK_EQUAL(
       CGAL::segmentation_via_protrusion_tips(mesh, map, arms + 1, PS::Histogram_method(distance)),
       arms + 1);
-    CHECK_EQUAL(
+    CGAL_CHECK_EQUAL(
       CGAL::segmentation_via_protrusion_tips(mesh, map, arms + 1, PS::Minimum_cut_method(distance)),
       arms + 1);
-    CHECK(share_of_right_faces(soup, ids) > 0.95);
+    CGAL_CHECK(share_of_right_faces(soup, ids) > 0.95);
   }
 }
 

@@ -41,7 +41,7 @@ void marks_the_borders(const FaceGraph& mesh)
   for (const auto e : edges(mesh))
   {
     const auto f = face(halfedge(e, mesh), mesh), g = face(opposite(halfedge(e, mesh), mesh), mesh);
-    CHECK_EQUAL(get(is_border, e), get(ids.map(), f) != get(ids.map(), g));
+    CGAL_CHECK_EQUAL(get(is_border, e), get(ids.map(), f) != get(ids.map(), g));
   }
 }
 
@@ -50,11 +50,11 @@ template <typename FaceGraph>
 void gives_the_same_labels(const FaceGraph& mesh)
 {
   const Segmentation of_paper = paper_segmentation(mesh, number_of_segments);
-  CHECK_EQUAL(of_paper.number, number_of_segments);
-  CHECK(of_paper.labels == expected_paper_labels());
+  CGAL_CHECK_EQUAL(of_paper.number, number_of_segments);
+  CGAL_CHECK(of_paper.labels == expected_paper_labels());
   const Segmentation by_default = default_segmentation(mesh, number_of_segments);
-  CHECK_EQUAL(by_default.number, number_of_segments);
-  CHECK(by_default.labels == expected_default_labels());
+  CGAL_CHECK_EQUAL(by_default.number, number_of_segments);
+  CGAL_CHECK(by_default.labels == expected_default_labels());
   marks_the_borders(mesh);
 }
 

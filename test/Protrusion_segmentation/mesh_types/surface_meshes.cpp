@@ -21,10 +21,10 @@ void property_maps_of_a_surface_mesh_take_the_labels()
   Mesh mesh = to_graph<Mesh>(body());
   auto ids = mesh.add_property_map<Mesh::Face_index, std::size_t>("f:segment", 0).first;
   const Mesh& constant_mesh = mesh;
-  CHECK_EQUAL(CGAL::segmentation_via_protrusion_tips(constant_mesh, ids, number_of_segments),
+  CGAL_CHECK_EQUAL(CGAL::segmentation_via_protrusion_tips(constant_mesh, ids, number_of_segments),
               number_of_segments);
   for (const auto f : faces(mesh))
-    CHECK_EQUAL(ids[f], expected_default_labels()[std::size_t(f)]);
+    CGAL_CHECK_EQUAL(ids[f], expected_default_labels()[std::size_t(f)]);
 }
 
 // Removed elements stay in the arrays of the mesh, and its indices have gaps.
@@ -36,7 +36,7 @@ void removed_elements_of_a_surface_mesh_do_not_count()
                                    mesh.add_vertex({9, 0, 1}));
   convert(body(), mesh);
   CGAL::Euler::remove_face(halfedge(extra, mesh), mesh);
-  CHECK(mesh.has_garbage());
+  CGAL_CHECK(mesh.has_garbage());
   gives_the_same_labels(mesh);
 }
 

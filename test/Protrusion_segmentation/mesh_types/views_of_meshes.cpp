@@ -48,11 +48,11 @@ void a_seam_cuts_the_mesh()
                       mesh.add_property_map<Mesh::Vertex_index, bool>("", false).first);
   const Face& around = soup.faces[0];
   for (std::size_t i = 0; i < around.size(); ++i)
-    CHECK(seam_mesh.add_seam(Mesh::Vertex_index(Mesh::size_type(around[i])),
+    CGAL_CHECK(seam_mesh.add_seam(Mesh::Vertex_index(Mesh::size_type(around[i])),
                              Mesh::Vertex_index(Mesh::size_type(around[(i + 1) % around.size()]))));
   const Segmentation found = default_segmentation(seam_mesh, 1);
-  CHECK_EQUAL(found.number, 2);
-  CHECK_EQUAL(std::count(found.labels.begin(), found.labels.end(), found.labels[0]), 1);
+  CGAL_CHECK_EQUAL(found.number, 2);
+  CGAL_CHECK_EQUAL(std::count(found.labels.begin(), found.labels.end(), found.labels[0]), 1);
 }
 
 void test_views_of_meshes()
