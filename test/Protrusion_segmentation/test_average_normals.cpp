@@ -170,6 +170,27 @@ void arms_are_parts()
   check_parts(flat_dumbbell(), segmentation(flat_dumbbell()), least_share);
 }
 
+// Arms that taper, of a sheet with a jagged outline, are neither cut in two nor left with the disk.
+void tapering_arms_are_whole()
+{
+  for (const int arms : {3, 4, 5})
+    for (const int cells : {64, 90, 120, 140})
+    {
+      const auto part = [&](double x, double y)
+      {
+        const double r = std::hypot(x, y), turn = std::atan2(y, x) * arms / (2 * pi) + arms + 0.13;
+        const double nearest = std::round(turn), angle = (turn - nearest) * 2 * pi / arms;
+        if (r < 0.4)
+          return 0;
+        const double half_width = 0.17 - 0.11 * (r - 0.4) / 0.55;
+        return r < 0.95 && std::abs(r * std::sin(angle)) < half_width && std::abs(angle) < pi / arms ? 1 + int(nearest) % arms
+                                                                                                     : outside;
+      };
+      const Test_mesh mesh = sheet(part, cells);
+      check_parts(mesh, segmentation(mesh), 0.9);
+    }
+}
+
 // A sheet may be bent as a roof or a saddle, or sag, by little or much.
 void bent_sheets_have_the_parts_of_flat_ones()
 {
@@ -225,6 +246,7 @@ int main()
   normals_lean_at_the_border();
   no_parts_without_concave_corners();
   arms_are_parts();
+  tapering_arms_are_whole();
   bent_sheets_have_the_parts_of_flat_ones();
   place_and_size_do_not_count();
   a_face_may_have_all_others_around_it();

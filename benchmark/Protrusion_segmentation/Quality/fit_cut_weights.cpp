@@ -43,7 +43,7 @@ struct Named_weight
   double first_step;
 };
 
-constexpr std::array<Named_weight, 23> named_weights = {
+constexpr std::array<Named_weight, 21> named_weights = {
   {{"bias", &Cut_weights::bias, 0.5},
    {"concave_share", &Cut_weights::concave_share, 1},
    {"relative_length", &Cut_weights::relative_length, 0.5},
@@ -51,7 +51,6 @@ constexpr std::array<Named_weight, 23> named_weights = {
    {"segment_size", &Cut_weights::segment_size, 0.2},
    {"larger_widening", &Cut_weights::larger_widening, 0.4},
    {"smaller_widening", &Cut_weights::smaller_widening, 0.3},
-   {"narrowing", &Cut_weights::narrowing, 1},
    {"larger_shoulder", &Cut_weights::larger_shoulder, 1},
    {"least_larger_shoulder", &Cut_weights::least_larger_shoulder, 0.05},
    {"largest_larger_shoulder", &Cut_weights::largest_larger_shoulder, 0.1},
@@ -64,7 +63,6 @@ constexpr std::array<Named_weight, 23> named_weights = {
    {"most_neighbors", &Cut_weights::most_neighbors, 0.2},
    {"pocket", &Cut_weights::pocket, 2},
    {"several_loops", &Cut_weights::several_loops, 0.5},
-   {"sheet", &Cut_weights::sheet, 0.5},
    {"flatness", &Cut_weights::flatness, 2},
    {"least_flatness", &Cut_weights::least_flatness, 0.1}}};
 

@@ -29,7 +29,6 @@ struct Cut_clues
   double thickness;        // log of the volume of the smaller side relative to its area and opening
   double pocket;           // of a smaller side that goes into the body, its volume relative to its area and opening, else 0
   double several_loops;    // 1 if the cut consists of several loops, else 0
-  double sheet;            // 1 if the cut crosses a sheet, 0 if it goes around a body, or half a one
   double flatness;         // of the area of the smaller side, the share that faces one way and not the
                            // other: 1 of a piece of a plane, 1/2 of a half sphere, near 0 of a limb; 0 of a flat sheet
 };
@@ -46,7 +45,6 @@ struct Cut_weights
   double segment_size = 0.8;
   double larger_widening = 2.4;
   double smaller_widening = -0.2;
-  double narrowing = 0; // of the larger widening, if that is none
   double larger_shoulder = 8;
   double least_larger_shoulder = 0.1; // less is a tube that widens by chance
   double largest_larger_shoulder = 0.3;
@@ -59,7 +57,6 @@ struct Cut_weights
   double thickness = 0.3;
   double pocket = -10; // what goes in is no protrusion
   double several_loops = -1.2;
-  double sheet = 0;
   double flatness = -12; // a hill, a scale or a pocket faces one way as a whole and is no protrusion
   double least_flatness = 0.6;
 
@@ -70,8 +67,7 @@ struct Cut_weights
     return bias + concave_share * clues.concave_share +
            relative_length * (std::max)(least_relative_length, clues.relative_length) +
            segment_size * clues.segment_size + larger_widening * clues.larger_widening +
-           smaller_widening * clues.smaller_widening + narrowing * (std::min)(0., clues.larger_widening) +
-           sheet * clues.sheet + larger_shoulder * shoulder +
+           smaller_widening * clues.smaller_widening + larger_shoulder * shoulder +
            smaller_shoulder * clues.smaller_shoulder + roundness * clues.roundness + neighbors * clues.neighbors +
            surrounded * (std::max)(0., clues.neighbors - most_neighbors) +
            mean_cost * clues.mean_cost + thickness * clues.thickness +

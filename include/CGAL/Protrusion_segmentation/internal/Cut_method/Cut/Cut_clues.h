@@ -140,7 +140,6 @@ public:
     clues.thickness = std::log((std::max)(0.001, std::abs(thickness)));
     clues.pocket = (std::max)(0., -thickness);
     clues.several_loops = has_several_loops(along_inside, along_outside) ? 1 : 0;
-    clues.sheet = share_of_sheet();
     clues.flatness = (1 - m_openness) * std::sqrt(m_area_vector.squared_length()) / m_smaller_area;
     return clues;
   }

@@ -27,91 +27,57 @@ inline bool is_open(const Indexed_surface& surface)
   return false;
 }
 
-// Leans the normals of an open surface as if it were inflated, its border held: of a sheet only the outline shows what sticks
-// out, of a scan from one side much of it. The square of the height is twice the solution h of a screened Poisson equation,
-// (1 - r^2 Laplace) h = r^2, h = 0 at the border, of which a strip becomes half a round tube and a disc half an ellipsoid. Farther
-// from the border than the radius r the surface stays as it is.
-class Inflation
+// Leans the normals of an open surface outwards near its border, as if it were rounded off there. Of a sheet only the outline
+// shows what sticks out, of a scan from one side much of it: at concave corners of the border, normals lean towards each
+// other, which makes a seam.
+class Border_rounding
 {
 public:
   using Index = Indexed_surface::Index;
   using Vector_3 = Indexed_surface::Vector_3;
 
-  Inflation(const Indexed_surface& surface, Execution& execution)
-    : m_surface(surface), m_execution(execution), m_unit(std::sqrt(surface.area()))
-  {}
+  Border_rounding(const Indexed_surface& surface, Execution& execution) : m_surface(surface), m_execution(execution) {}
 
   // `graph` is the dual graph of the surface, `centre` its centres; `outward`: 1 if normals point out of the body, else -1
   void operator()(const Dual_graph& graph, const Centres& centre, double outward, Triples& normals) const
   {
-    const std::vector<float> height = heights(graph, centre);
-    for_each_number(normals.size(), m_execution.is_parallel(),
-                    [&](Index f)
-                    {
-                      const Vector_3 normal(normals[f][0], normals[f][1], normals[f][2]);
-                      normals[f] = triple(normal - outward * slope(f, height));
-                    });
+    Triples directions = directions_at_border(normals);
+    Multilevel_diffusion(radius, m_execution)(graph, centre, directions);
+    for (std::size_t f = 0; f < normals.size(); ++f)
+    {
+      const Vector_3 normal = vector(normals[f]), direction = vector(directions[f]);
+      const Vector_3 tangential = direction - (direction * normal) * normal; // it may have come around an edge
+      normals[f] = triple(normal + outward * tangential);
+    }
   }
 
 private:
-  // In units of the square root of the area.
-  std::vector<float> heights(const Dual_graph& graph, const Centres& centre) const
-  {
-    constexpr double radius = 0.2;    // between .15 and .3 without much effect
-    constexpr double flattened = 0.07; // the rim rises with a finite slope: outlines are jagged
-    constexpr double largest_group = 0.02;
-    std::vector<float> losses(m_surface.number_of_faces(), 0);
-    for_each_number(losses.size(), m_execution.is_parallel(), [&](Index f) { losses[f] = conductance_to_border(f); });
-    Triples solution(m_surface.number_of_faces(), {1, 0, 0});
-    const double radius_of_disc = std::sqrt(8.) * radius; // see Multilevel_diffusion
-    Multilevel_diffusion(radius_of_disc, m_execution, largest_group)(graph, centre, solution, losses);
-    std::vector<float> result;
-    for (const Triple& t : solution)
-      result.push_back(static_cast<float>(
-        std::sqrt(2 * CGAL::square(radius) * (std::max)(0.f, t[0]) + CGAL::square(flattened)) - flattened));
-    return result;
-  }
+  static Vector_3 vector(const Triple& t) { return {t[0], t[1], t[2]}; }
 
-  float conductance_to_border(Index f) const
-  {
-    constexpr double least_distance = 1e-3; // of the centroid from the edge, relative to its length
-    double sum = 0;
-    for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
-      if (m_surface.neighbor(c) == Indexed_surface::no_face())
-      {
-        const Vector_3 edge = edge_vector(f, c);
-        const double squared_length = edge.squared_length();
-        const double twice_area = std::sqrt(
-          cross_product(edge, m_surface.centroid(f) - m_surface.point(m_surface.vertex(c))).squared_length());
-        if (squared_length > 0)
-          sum += 1 / (std::max)(least_distance, twice_area / squared_length);
-      }
-    return static_cast<float>(sum);
-  }
+  // Distance from the border within which normals lean, in units of the square root of the area. With half of it arms of a
+  // star are cut off anywhere, with twice as much few of them are.
+  static constexpr double radius = 0.1;
 
-  // The gradient of the height in a face, by the heights halfway to its neighbors.
-  Vector_3 slope(Index f, const std::vector<float>& height) const
+  // Outwards in the faces at the border. After diffusion over the radius a straight border has directions of length 8:
+  // normals there point away from the surface, as those of a wall do.
+  Triples directions_at_border(const Triples& normals) const
   {
-    Vector_3 sum(0, 0, 0);
-    if (!(m_surface.area(f) > 0))
-      return sum;
-    for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+    const double unit = std::sqrt(m_surface.area());
+    Triples result(m_surface.number_of_faces(), {0, 0, 0});
+    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
     {
-      const Index g = m_surface.neighbor(c);
-      const double rise = g == Indexed_surface::no_face() ? -height[f] : (height[g] - height[f]) / 2;
-      sum += rise * cross_product(edge_vector(f, c), m_surface.area_vector(f));
+      Vector_3 border(0, 0, 0);
+      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+        if (m_surface.neighbor(c) == Indexed_surface::no_face())
+          border += m_surface.point(m_surface.vertex(m_surface.next_corner(f, c))) - m_surface.point(m_surface.vertex(c));
+      if (m_surface.area(f) > 0)
+        result[f] = triple(cross_product(border, vector(normals[f])) * (4 * radius * unit / m_surface.area(f)));
     }
-    return sum * (m_unit / CGAL::square(m_surface.area(f)));
-  }
-
-  Vector_3 edge_vector(Index f, Index corner) const
-  {
-    return m_surface.point(m_surface.vertex(m_surface.next_corner(f, corner))) - m_surface.point(m_surface.vertex(corner));
+    return result;
   }
 
   const Indexed_surface& m_surface;
   Execution& m_execution;
-  double m_unit;
 };
 
 // Scales each vector to length 1; where it vanishes, it stays the zero vector.
@@ -144,10 +110,13 @@ inline Triples average_normals(const Indexed_surface& surface,
                     if (surface.area(f) > 0)
                       normals[f] = triple(surface.area_vector(f) / surface.area(f));
                   });
-  if (is_open(surface))
-    Inflation(surface, execution)(graph, centre, outward, normals);
   Multilevel_diffusion(normal_radius, execution)(graph, centre, normals);
   normalize(normals, execution.is_parallel());
+  if (is_open(surface))
+  {
+    Border_rounding(surface, execution)(graph, centre, outward, normals);
+    normalize(normals, execution.is_parallel());
+  }
   return normals;
 }
 

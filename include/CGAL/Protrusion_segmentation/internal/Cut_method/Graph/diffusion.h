@@ -43,12 +43,8 @@ public:
   using Index = Dual_graph::Index;
   using Values = Triples;
 
-  // `scale`: of the conductances; `losses`: of every node, the conductance to what is kept at 0, unless there is none
-  Diffusion(const Dual_graph& graph,
-            double time,
-            double scale = 1,
-            bool is_parallel = false,
-            const std::vector<float>& losses = {})
+  // `scale`: of the conductances
+  Diffusion(const Dual_graph& graph, double time, double scale = 1, bool is_parallel = false)
     : m_graph(graph),
       m_is_parallel(is_parallel),
       m_diagonal(graph.number_of_nodes()),
@@ -58,7 +54,7 @@ public:
     for_each_node(
       [&](Index i)
       {
-        double sum = mass(i) + (losses.empty() ? 0 : time * scale * losses[i]);
+        double sum = mass(i);
         for (Index arc : graph.arcs(i))
         {
           m_weights[arc] =
@@ -197,75 +193,61 @@ public:
   using Index = Dual_graph::Index;
   using Values = Diffusion::Values;
 
-  // `largest_group`: a share of the radius
-  Multilevel_diffusion(double radius, Execution& execution, double largest_group = 1. / 6)
-    : m_radius(radius), m_largest_group(largest_group), m_execution(execution)
-  {}
+  Multilevel_diffusion(double radius, Execution& execution) : m_radius(radius), m_execution(execution) {}
 
-  // Diffusion for a time t has the variance 4 t, the mean over a disc half the square of its radius. `losses`: see `Diffusion`
-  void operator()(const Dual_graph& graph, const Centres& centre, Values& values, const std::vector<float>& losses = {}) const
+  // Diffusion for a time t has the variance 4 t, the mean over a disc half the square of its radius.
+  void operator()(const Dual_graph& graph, const Centres& centre, Values& values) const
   {
-    diffuse({graph, centre, losses, 1}, CGAL::square(m_radius) / 8, values);
+    diffuse(graph, centre, 1, CGAL::square(m_radius) / 8, values);
   }
 
 private:
-  struct Level
-  {
-    const Dual_graph& graph;
-    const Centres& centre;
-    const std::vector<float>& losses;
-    double scale; // of the conductances, see `energy()`
-  };
+  // Groups are no larger than that share of the radius.
+  static constexpr double largest_group = 1. / 6;
 
-  Diffusion diffusion(const Level& level, double time) const
+  // `scale`: of the conductances, see `energy()`
+  void diffuse(const Dual_graph& graph, const Centres& centre, double scale, double time, Values& values) const
   {
-    return Diffusion(level.graph, time, level.scale, m_execution.is_parallel(), level.losses);
-  }
-
-  void diffuse(const Level& level, double time, Values& values) const
-  {
-    const double n = level.graph.number_of_nodes(), least_number_of_groups = 1 / CGAL::square(m_largest_group * m_radius);
-    const std::optional<double> time_between_groups =
-      n < 2 * least_number_of_groups
-        ? std::nullopt
-        : diffuse_groups(level, time, static_cast<Index>((std::max)(n / 4, least_number_of_groups)), values);
+    const double least_number_of_groups = 1 / CGAL::square(largest_group * m_radius);
+    if (graph.number_of_nodes() < 2 * least_number_of_groups)
+    {
+      diffuse_twice(graph, scale, time, values);
+      return;
+    }
+    const std::optional<double> time_between_groups = diffuse_groups(
+      graph, centre, scale, time, static_cast<Index>((std::max)(graph.number_of_nodes() / 4., least_number_of_groups)), values);
     if (!time_between_groups)
     {
-      diffuse_twice(level, time, values);
+      diffuse_twice(graph, scale, time, values);
       return;
     }
     constexpr double tolerance = 1e-2;
-    diffusion(level, *time_between_groups)(values, tolerance, m_execution);
+    Diffusion(graph, *time_between_groups, scale, m_execution.is_parallel())(values, tolerance, m_execution);
   }
 
   // Diffuses the means of about `number` groups; returns how long the steps between these are to be smoothed: over about
   // the size of a group. Does nothing if the nodes do not come together, such as those around one that is large.
-  std::optional<double> diffuse_groups(const Level& level, double time, Index number, Values& values) const
+  std::optional<double> diffuse_groups(const Dual_graph& graph, const Centres& centre, double scale, double time, Index number, Values& values) const
   {
-    const Dual_graph& graph = level.graph;
-    const Contracted<Dual_graph> groups = coarsen(graph, level.centre, graph.border_length, number, m_execution);
+    const Contracted<Dual_graph> groups = coarsen(graph, centre, graph.border_length, number, m_execution);
     if (groups.graph.number_of_nodes() > graph.number_of_nodes() / 2)
       return std::nullopt;
     Values means = means_of_groups(graph, groups, values);
-    std::vector<float> losses(level.losses.empty() ? 0 : groups.graph.number_of_nodes(), 0);
-    for (std::size_t i = 0; i < level.losses.size(); ++i)
-      losses[groups.node[i]] += level.losses[i];
     const double time_between_groups = 1. / groups.graph.number_of_nodes();
-    diffuse({groups.graph, groups.centre, losses, level.scale * energy(graph) / energy(groups.graph)}, time - time_between_groups,
-            means);
+    diffuse(groups.graph, groups.centre, scale * energy(graph) / energy(groups.graph), time - time_between_groups, means);
     for_each_number(graph.number_of_nodes(), m_execution.is_parallel(), [&](Index i) { values[i] = means[groups.node[i]]; });
     return time_between_groups;
   }
 
-  void diffuse_twice(const Level& level, double time, Values& values) const
+  void diffuse_twice(const Dual_graph& graph, double scale, double time, Values& values) const
   {
     constexpr int steps = 2; // which is nearer to a disc than one
     constexpr double tolerance = 1e-4; // normals need no more
-    Diffusion solver = diffusion(level, time / steps);
+    Diffusion diffusion(graph, time / steps, scale, m_execution.is_parallel());
     for (int step = 0; step < steps; ++step)
     {
       m_execution.progress(static_cast<double>(step) / steps);
-      solver(values, tolerance, m_execution);
+      diffusion(values, tolerance, m_execution);
     }
   }
 
@@ -289,7 +271,7 @@ private:
     return std::inner_product(graph.border_length.begin(), graph.border_length.end(), graph.length.begin(), 0.);
   }
 
-  double m_radius, m_largest_group;
+  double m_radius;
   Execution& m_execution;
 };
 
