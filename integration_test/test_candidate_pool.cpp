@@ -31,8 +31,8 @@ struct Method
                                         PS::Execution& execution) const
   {
     const std::optional<PS::internal::Any_distance> no_distance;
-    return PS::internal::Cut_segmentation(surface, no_distance, execution, options)
-      .with_number_of_segments(*number_of_segments);
+    PS::internal::Cut_segmentation segmentation(surface, no_distance, execution, options);
+    return number_of_segments ? segmentation.with_number_of_segments(*number_of_segments) : segmentation.with_automatic_number();
   }
 };
 
@@ -45,18 +45,26 @@ double share_of_pairs_divided_otherwise(const Labels& a, const Labels& b)
   return 2 * double(number) / (double(a.size()) * double(a.size() - 1));
 }
 
-double expected_error(const Model& model, const Cut_weights& weights)
+double error(const Model& model, const Labels& labels)
+{
+  double sum = 0;
+  for (const Labels& human : model.humans)
+    sum += share_of_pairs_divided_otherwise(labels, human);
+  return sum / double(model.humans.size());
+}
+
+void check_errors(Candidate_pool& pool, const Model& model, const Cut_weights& weights)
 {
   Method method;
   method.options.moves_borders_on_faces = false;
   method.options.weights = weights;
   Labels labels(model.mesh.number_of_faces());
-  CGAL::segmentation_via_protrusion_tips(model.mesh, CGAL::make_property_map(labels),
-                                         model.number_of_segments, method);
-  double sum = 0;
-  for (const Labels& human : model.humans)
-    sum += share_of_pairs_divided_otherwise(labels, human);
-  return sum / double(model.humans.size());
+  CGAL::segmentation_via_protrusion_tips(model.mesh, CGAL::make_property_map(labels), model.number_of_segments, method);
+  const Candidate_pool::Errors errors = pool.errors(weights);
+  CGAL_CHECK_CLOSE(errors.with_number, error(model, labels), 1e-12);
+  const std::size_t found = CGAL::segmentation_via_protrusion_tips(model.mesh, CGAL::make_property_map(labels), method);
+  CGAL_CHECK_CLOSE(errors.automatic, error(model, labels), 1e-12);
+  CGAL_CHECK_EQUAL(errors.is_number_found, found == model.number_of_segments);
 }
 
 // People see the true parts, one segment, or every part in four.
@@ -82,9 +90,9 @@ void test_error(std::size_t arms, std::size_t number_of_segments)
   Cut_weights others;
   others.segment_size = -2;
   Candidate_pool pool(model);
-  CGAL_CHECK_CLOSE(pool.rand_index_error(weights), expected_error(model, weights), 1e-12);
-  pool.rand_index_error(others);
-  CGAL_CHECK_CLOSE(pool.rand_index_error(weights), expected_error(model, weights), 1e-12);
+  check_errors(pool, model, weights);
+  pool.errors(others);
+  check_errors(pool, model, weights);
 }
 
 // Long cuts away from seams are no arms of a star.
@@ -95,8 +103,9 @@ void test_other_weights()
   weights.concave_share = -6;
   weights.relative_length = 6;
   weights.larger_widening = -2;
-  CGAL_CHECK(expected_error(model, weights) > expected_error(model, Cut_weights()));
-  CGAL_CHECK_CLOSE(Candidate_pool(model).rand_index_error(weights), expected_error(model, weights), 1e-12);
+  Candidate_pool pool(model);
+  CGAL_CHECK(pool.errors(weights).with_number > pool.errors(Cut_weights()).with_number);
+  check_errors(pool, model, weights);
 }
 
 void test_components()

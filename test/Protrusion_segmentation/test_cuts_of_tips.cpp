@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 using namespace test_meshes;
@@ -124,6 +125,39 @@ void tips_of_a_result_give_the_result(const Test_mesh& mesh, std::size_t largest
   }
 }
 
+// Of the tips of the automatic segmentation some are picked: each gets its segment there, with what sticks out of it and has no
+// tip that is picked, and the other segments are part of the body.
+void some_tips_of_the_automatic_result(const Test_mesh& mesh, bool is_star)
+{
+  Component_of_mesh of_mesh(mesh);
+  const Cut_set automatic = *of_mesh.component.best(of_mesh.component.automatic_number());
+  const std::vector<Index> all_tips = tips_of(of_mesh.component, automatic, of_mesh);
+  CGAL_CHECK(all_tips.size() >= 4);
+  const std::vector<Index> old_labels = labels_of_faces(of_mesh.component, automatic);
+  for (unsigned int seed = 1; seed <= 20; ++seed)
+  {
+    const std::vector<std::size_t> order = random_permutation(all_tips.size(), seed);
+    std::vector<Index> tips;
+    for (std::size_t i = 0; i < 1 + seed % 3; ++i)
+      tips.push_back(all_tips[order[i]]);
+    const Cut_set set = of_mesh.component.cuts_of_tips(tips);
+    CGAL_CHECK_EQUAL(set.segments.size(), tips.size() + 1);
+    const std::vector<Index> labels = labels_of_faces(of_mesh.component, set);
+    std::set<Index> labels_of_tips;
+    for (const Index tip : tips)
+    {
+      labels_of_tips.insert(labels[tip]);
+      for (std::size_t f = 0; f < labels.size(); ++f)
+        if (old_labels[f] == old_labels[tip])
+          CGAL_CHECK_EQUAL(labels[f], labels[tip]);
+        else if (is_star)
+          CGAL_CHECK(labels[f] != labels[tip]);
+    }
+    if (is_star)
+      CGAL_CHECK_EQUAL(labels_of_tips.size(), tips.size());
+  }
+}
+
 // A tip that is added to those of a result leaves their protrusions as they are, but for what the new one is cut from.
 void a_further_tip_adds_a_protrusion()
 {
@@ -154,6 +188,9 @@ int main()
   tips_of_a_result_give_the_result(star(6), 9);
   tips_of_a_result_give_the_result(creature(), 9);
   a_further_tip_adds_a_protrusion();
+  for (const std::size_t arms : {8, 11})
+    some_tips_of_the_automatic_result(star(arms), true);
+  some_tips_of_the_automatic_result(creature(), false);
   for (const Test_mesh& mesh : {creature(), icosphere(3), torus(), tetrahedron(), sheet(20, 30)})
     any_faces_may_be_tips(mesh);
   return check::result();

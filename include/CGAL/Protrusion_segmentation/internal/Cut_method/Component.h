@@ -76,39 +76,106 @@ public:
     return m_beam.automatic_number([this](std::size_t n) { return Next_segment(m_execution, n, std::nullopt); });
   }
 
-  // The cuts of protrusions of picked tips. Where they are those of the best segmentation into some number of segments and a few
-  // more, that is kept, and only the others get cuts. So the tips of a result give that result.
+  // The cuts of protrusions of picked tips. Tips that have a cut in a known segmentation keep it, and only the others get cuts.
   Cut_set cuts_of_tips(const std::vector<Index>& faces)
   {
-    constexpr std::size_t most_others = 10; // each takes another look at a segmentation
-    for (std::size_t number = faces.size() + 1; number > 1 && number + most_others > faces.size();
-         --number)
-    {
-      const Cut_set* set = m_beam.best(number);
-      if (!set)
-        continue;
-      const std::vector<Index> tips = tips_of(*set);
-      std::vector<Index> tips_first = faces;
-      const auto end = std::stable_partition(
-        tips_first.begin(), tips_first.end(),
-        [&](Index f) { return std::find(tips.begin(), tips.end(), f) != tips.end(); });
-      if (static_cast<std::size_t>(end - tips_first.begin()) == tips.size())
-        return Tip_cuts(m_graphs, m_search, m_beam.memo(), m_execution)(*m_beam.best(1), *set,
-                                                                        tips_first);
-    }
-    const Cut_set& whole = *m_beam.best(1);
-    return Tip_cuts(m_graphs, m_search, m_beam.memo(), m_execution)(whole, whole, faces);
+    std::vector<Index> tips = faces;
+    const Cut_set kept = known_cuts(tips);
+    return Tip_cuts(m_graphs, m_search, m_beam.memo(), m_execution)(*m_beam.best(1), kept, tips);
   }
 
 private:
+  // Those of the best segmentation into some number of segments if most of the tips are those of its protrusions: the tips of
+  // a result give that result, and so they do with a few more. Else those of the automatic one. Puts the tips that have a
+  // cut first, in the order of the cuts.
+  Cut_set known_cuts(std::vector<Index>& tips)
+  {
+    for (std::size_t number = tips.size() + 1; number > 1 && 4 * (number - 1) >= 3 * tips.size(); --number)
+      if (const Cut_set* found = m_beam.best(number))
+      {
+        const Cut_set set = *found;
+        const std::vector<Index> own = tips_of(set);
+        std::vector<Index> tips_first = tips;
+        const auto end = std::stable_partition(tips_first.begin(), tips_first.end(), [&](Index f)
+                                               { return std::find(own.begin(), own.end(), f) != own.end(); });
+        if (static_cast<std::size_t>(end - tips_first.begin()) == own.size())
+        {
+          tips = std::move(tips_first);
+          return set;
+        }
+      }
+    return tips.empty() ? *m_beam.best(1) : cuts_of_automatic_segments(tips);
+  }
+
+  // The automatic segmentation, where the segments without tips belong to what they stick out of.
+  Cut_set cuts_of_automatic_segments(std::vector<Index>& tips)
+  {
+    const Cut_set set = *m_beam.best(automatic_number());
+    const Component_segments segments(m_graphs, memo(), set, m_options, m_execution);
+    const std::vector<Protrusion<Index>> protrusions = describe(segments);
+    const auto segment_of = [&](Index tip) // the end of a protrusion may lie in another one that sticks out of it
+    {
+      const auto found = std::find_if(protrusions.begin(), protrusions.end(), [&](const auto& p) { return p.tip == tip; });
+      return found == protrusions.end() ? segments.labels()[tip] : static_cast<Index>(found->segment);
+    };
+    std::vector<Index> with_cut, others;
+    std::vector<bool> has_tip(segments.number_of_segments(), false);
+    for (Index tip : tips)
+    {
+      const Index s = segment_of(tip);
+      (s == 0 || has_tip[s] ? others : with_cut).push_back(tip);
+      has_tip[s] = true;
+    }
+    Cut_set result = *m_beam.best(1);
+    for (Index tip : with_cut)
+      cut_off(result, segments, segment_of(tip));
+    tips = std::move(with_cut);
+    tips.insert(tips.end(), others.begin(), others.end());
+    return result;
+  }
+
+  // Cuts a segment and all that sticks out of it, as far as they are there, off one of the set's.
+  void cut_off(Cut_set& set, const Component_segments& segments, Index segment)
+  {
+    std::vector<bool> is_inner(m_graphs.coarse.number_of_nodes(), false);
+    for (Index s = 0; s < segments.number_of_segments(); ++s)
+      if (is_beyond(segments, s, segment))
+        for (Index node : memo()[segments.segments_of_memo()[s]].segment.nodes)
+          is_inner[node] = true;
+    const Index first = memo()[segments.segments_of_memo()[segment]].segment.nodes.front();
+    const Index id = *std::find_if(set.segments.begin(), set.segments.end(), [&](Index candidate)
+                                   {
+                                     const Nodes& nodes = memo()[candidate].segment.nodes;
+                                     return std::binary_search(nodes.begin(), nodes.end(), first);
+                                   });
+    Cut cut;
+    for (Index node : memo()[id].segment.nodes)
+      if (is_inner[node])
+        cut.inner.push_back(node);
+    cut.value = segments.cut(segment)->value;
+    cut.probability = segments.cut(segment)->probability;
+    set = set.with(m_beam.memo().made_cut(id, cut));
+  }
+
+  static bool is_beyond(const Component_segments& segments, Index s, Index segment)
+  {
+    while (s != segment && segments.parents()[s] != s)
+      s = segments.parents()[s];
+    return s == segment;
+  }
+
   std::vector<Index> tips_of(const Cut_set& set)
   {
     const Component_segments segments(m_graphs, memo(), set, m_options, m_execution);
     std::vector<Index> tips;
-    for (const Protrusion<Index>& protrusion :
-         Protrusion_describer(m_surface, m_graphs, segments, m_execution.is_parallel())())
+    for (const Protrusion<Index>& protrusion : describe(segments))
       tips.push_back(protrusion.tip);
     return tips;
+  }
+
+  std::vector<Protrusion<Index>> describe(const Component_segments& segments) const
+  {
+    return Protrusion_describer(m_surface, m_graphs, segments, m_execution.is_parallel())();
   }
 
   const Indexed_surface& m_surface;

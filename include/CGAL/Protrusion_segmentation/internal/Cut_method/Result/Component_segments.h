@@ -57,6 +57,8 @@ public:
   std::size_t number_of_segments() const { return m_set.segments.size(); }
   // the segment of every face
   const std::vector<Index>& labels() const { return m_labels; }
+  // of each, that of the memo
+  const std::vector<Index>& segments_of_memo() const { return m_segments_of_memo; }
   // the segment that each sticks out of; the body is its own
   const std::vector<Index>& parents() const { return m_parents; }
   // of each with all that sticks out of it
@@ -123,8 +125,10 @@ private:
     std::vector<Index> number(areas.size());
     for (Index s = 0; s < order.size(); ++s)
       number[order[s]] = s;
+    const std::vector<Index> segments_of_leaves = m_set.in_order_of_cuts();
     for (Index leaf : order)
     {
+      m_segments_of_memo.push_back(segments_of_leaves[leaf]);
       m_parents.push_back(number[tree.parent(leaf)]);
       m_areas_beyond.push_back(tree.area_beyond(leaf));
       m_cuts.push_back(cuts[leaf]);
@@ -214,6 +218,7 @@ private:
   std::vector<Index> m_labels;
   std::vector<Index> m_leaf_of_node;
   std::map<Index, std::vector<Index>> m_leaves; // in every segment of the memo that was one
+  std::vector<Index> m_segments_of_memo;        // of every segment
   std::vector<Index> m_parents;                 // of every segment
   std::vector<double> m_areas_beyond;           // of every segment
   std::vector<std::size_t> m_cuts;              // of every segment
