@@ -130,7 +130,8 @@ A tip for which no border is found, or that already lies in the protrusion of an
 component counts as one on the face whose segment that component gets.
 
 The tips of all protrusions that `segmentation_via_protrusion_tips()` found by the same method, as a visitor was told of them, give the
-same segments. With a few more tips, these add protrusions to them.
+same segments. With a few more tips, these add protrusions to them. With some of the tips only, the default method keeps their
+segments, and the others go to what they stick out of.
 
 \tparam ConcurrencyTag, FaceGraph, SegmentMap, NamedParameters as for `segmentation_via_protrusion_tips()`
 \tparam FaceRange a range of `boost::graph_traits<FaceGraph>::%face_descriptor`
