@@ -7,6 +7,8 @@
 
 #include <CGAL/IO/SEG.h>
 #include <CGAL/Protrusion_segmentation/Closed_segment.h>
+#include <CGAL/Protrusion_segmentation/Connector.h>
+#include <CGAL/Protrusion_segmentation/Connector_options.h>
 #include <CGAL/Protrusion_segmentation/Consistency_error.h>
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
 #include <CGAL/Protrusion_segmentation/Exact_geodesic_distance.h>
