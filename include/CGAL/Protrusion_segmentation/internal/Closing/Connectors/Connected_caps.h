@@ -22,14 +22,14 @@ public:
   // New points are added to `points`, `points_between` among them, which are given in the frame. `is_up` says whether the peg is
   // on the parent and rises into the segment.
   // `is_taken(v, w)` says whether two vertices of the loop must not be joined.
-  template <typename Is_taken>
+  template <typename IsTaken>
   Connected_caps(const Cap_frame& frame,
                  const Loop& loop,
                  const std::vector<Point_2>& loop_in_frame,
                  const Prism& prism,
                  bool is_up,
                  const std::vector<Point>& points_between,
-                 const Is_taken& is_taken,
+                 const IsTaken& is_taken,
                  std::vector<Point>& points)
     : m_frame(frame),
       m_prism(prism),

@@ -57,8 +57,8 @@ public:
   }
 
   // `is_taken(i, j)` says whether corners of the outer polygon must not be joined. A point divides such an edge.
-  template <typename Is_taken>
-  Triangles_between triangulate(const Is_taken& is_taken)
+  template <typename IsTaken>
+  Triangles_between triangulate(const IsTaken& is_taken)
   {
     constexpr int most_rounds = 10; // one in practice
     for (int round = 0; round < most_rounds; ++round)
@@ -112,8 +112,8 @@ private:
     return result;
   }
 
-  template <typename Is_taken>
-  std::vector<Exact::Point_2> middles_of_taken_edges(const Is_taken& is_taken) const
+  template <typename IsTaken>
+  std::vector<Exact::Point_2> middles_of_taken_edges(const IsTaken& is_taken) const
   {
     std::vector<Exact::Point_2> middles;
     for (const Face_handle face : faces_between())
