@@ -48,7 +48,8 @@ void add_number(CLI::App& app,
 
 void add_connector_options(CLI::App& app, Command_line& command_line)
 {
-  constexpr std::size_t least_number_of_sides = 3, most_sides = 1000;
+  using CGAL::Protrusion_segmentation::internal::least_number_of_sides;
+  using CGAL::Protrusion_segmentation::internal::most_sides;
   auto& connectors = command_line.connectors;
   app
     .add_flag(

@@ -18,36 +18,25 @@
 
 namespace body_functions {
 
-using test_meshes::dot;
-using test_meshes::Point;
+using namespace test_meshes;
 using Body = std::function<double(const Point&)>;
-
-inline Point difference(const Point& p, const Point& q)
-{
-  return {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
-}
-
-inline double norm(const Point& v)
-{
-  return std::sqrt(dot(v, v));
-}
 
 inline Body ball(const Point& center, double radius)
 {
-  return [=](const Point& p) { return norm(difference(p, center)) - radius; };
+  return [=](const Point& p) { return length(p - center) - radius; };
 }
 
 inline Body ellipsoid(const Point& center, const Point& radii)
 {
   return [=](const Point& p)
   {
-    Point q = difference(p, center), r = q;
+    Point q = p - center, r = q;
     for (std::size_t i = 0; i < 3; ++i)
     {
       q[i] /= radii[i];
       r[i] = q[i] / radii[i];
     }
-    return norm(q) * (norm(q) - 1) / (std::max)(norm(r), 1e-9);
+    return length(q) * (length(q) - 1) / (std::max)(length(r), 1e-9);
   };
 }
 
@@ -60,10 +49,10 @@ inline Body tube(std::vector<Point> path, double first_radius, double last_radiu
     double nearest = 1e9;
     for (std::size_t i = 0; i + 1 < path.size(); ++i)
     {
-      const Point along = difference(path[i + 1], path[i]), to = difference(p, path[i]);
+      const Point along = path[i + 1] - path[i], to = p - path[i];
       const double t = std::clamp(dot(along, to) / dot(along, along), 0., 1.);
       const double radius = first_radius + (double(i) + t) / parts * (last_radius - first_radius);
-      nearest = (std::min)(nearest, norm(difference(to, {t * along[0], t * along[1], t * along[2]})) - radius);
+      nearest = (std::min)(nearest, length(to - t * along) - radius);
     }
     return nearest;
   };
@@ -81,20 +70,20 @@ inline Body box(const Point& center, const Point& half_sizes, double rounding = 
       inside = (std::max)(inside, d);
       outside[i] = (std::max)(d, 0.);
     }
-    return norm(outside) + (std::min)(inside, 0.) - rounding;
+    return length(outside) + (std::min)(inside, 0.) - rounding;
   };
 }
 
 inline Body cylinder(const Point& from, const Point& to, double radius, double rounding = 0.02)
 {
-  const Point axis = difference(to, from);
-  const double length = norm(axis);
+  const Point axis = to - from;
+  const double height = length(axis);
   return [=](const Point& p)
   {
-    const Point q = difference(p, from);
-    const double z = dot(q, axis) / length - length / 2;
-    const double r = std::sqrt((std::max)(0., dot(q, q) - (z + length / 2) * (z + length / 2)));
-    const double across = r - radius + rounding, along = std::abs(z) - length / 2 + rounding;
+    const Point q = p - from;
+    const double z = dot(q, axis) / height - height / 2;
+    const double r = std::sqrt((std::max)(0., dot(q, q) - (z + height / 2) * (z + height / 2)));
+    const double across = r - radius + rounding, along = std::abs(z) - height / 2 + rounding;
     return std::hypot((std::max)(across, 0.), (std::max)(along, 0.)) + (std::min)((std::max)(across, along), 0.) - rounding;
   };
 }

@@ -8,7 +8,6 @@
 // function of bias + slope * log odds. Both are 0 and 1 if nothing is left to do.
 
 #include "Benchmark_folder.h"
-#include "Model_classes.h"
 #include "markdown_head.h"
 
 #include <CGAL/protrusion_segmentation.h>

@@ -6,8 +6,13 @@
 
 #include "random_shapes.h"
 
+#include <CGAL/IO/OFF.h>
+#include <CGAL/Simple_cartesian.h>
+
 #include <CLI/CLI.hpp>
 
+#include <cstddef>
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -17,6 +22,7 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -32,13 +38,11 @@ void write(const fs::path& file, const std::string& text)
 
 std::string off(const test_meshes::Test_mesh& mesh)
 {
-  std::ostringstream out;
-  out.precision(9);
-  out << "OFF\n" << mesh.points.size() << ' ' << mesh.faces.size() << " 0\n";
+  std::vector<CGAL::Simple_cartesian<double>::Point_3> points;
   for (const test_meshes::Point& p : mesh.points)
-    out << p[0] << ' ' << p[1] << ' ' << p[2] << '\n';
-  for (const test_meshes::Face& face : mesh.faces)
-    out << "3 " << face[0] << ' ' << face[1] << ' ' << face[2] << '\n';
+    points.emplace_back(p[0], p[1], p[2]);
+  std::ostringstream out;
+  CGAL::IO::write_OFF(out, points, mesh.faces, CGAL::parameters::stream_precision(9));
   return out.str();
 }
 

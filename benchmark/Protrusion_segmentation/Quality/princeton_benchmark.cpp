@@ -208,8 +208,7 @@ void run(const Options& options, int argc, char** argv)
   for(const Contestant& contestant : contestants)
     names.push_back(contestant.name);
 
-  const Benchmark_folder folder(options.folder,
-                                options.classes);
+  const Benchmark_folder folder(options.folder, options.classes);
   const Results results(names, Runner(folder, contestants, options).run());
   write_head(std::cout, "#", options.title, "princeton_benchmark", argc, argv);
   write_means(std::cout, results);

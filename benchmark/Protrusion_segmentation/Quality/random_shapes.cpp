@@ -5,19 +5,17 @@
 #include "random_shapes.h"
 
 #include "body_functions.h"
-#include "zero_set.h" // the mesher of the tests
+#include "shape_meshes.h"
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
+#include <cstddef>
 #include <random>
 #include <utility>
 
 namespace {
 
 using namespace body_functions;
-using test_meshes::pi;
-using test_meshes::Test_mesh;
 using namespace test_meshes;
 
 // Uniform numbers that are the same on every machine.
@@ -57,55 +55,6 @@ private:
   std::mt19937 m_generator;
 };
 
-struct Shape
-{
-  std::vector<Body> parts; // the body first
-  double blend = 0;        // size of the fillets
-
-  double operator()(const Point& p) const
-  {
-    double nearest = 1e9;
-    std::vector<double> distances;
-    for (const Body& part : parts)
-    {
-      distances.push_back(part(p));
-      nearest = (std::min)(nearest, distances.back());
-    }
-    if (blend == 0 || parts.size() == 1 || nearest > 1)
-      return nearest;
-    double sum = 0;
-    for (const double d : distances)
-      sum += std::exp((nearest - d) / blend);
-    return nearest - blend * std::log(sum);
-  }
-
-  std::size_t part_at(const Point& p) const
-  {
-    std::size_t best = 0;
-    double least = 1e9;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-      if (const double d = parts[i](p); d < least)
-      {
-        least = d;
-        best = i;
-      }
-    return best;
-  }
-};
-
-Point face_center(const Test_mesh& mesh, std::size_t f)
-{
-  Point sum = {0, 0, 0};
-  for (const std::size_t v : mesh.faces[f])
-    sum = sum + (1. / 3) * mesh.points[v];
-  return sum;
-}
-
-Point along(const Point& from, const Point& direction, double t)
-{
-  return from + t * direction;
-}
-
 Body random_body(Random& random, double size)
 {
   const Point sizes = {size * random.in(.7, 1.5), size * random.in(.7, 1), size * random.in(.6, 1)};
@@ -123,7 +72,7 @@ Body random_body(Random& random, double size)
 double reach(const Body& body, const Point& direction)
 {
   double t = 0;
-  while (t < 3 && body(along({0, 0, 0}, direction, t)) < 0)
+  while (t < 3 && body(t * direction) < 0)
     t += .02;
   return t;
 }
@@ -138,7 +87,7 @@ Shape pegs(Random& random)
   const Body body = shape.parts[0];
   for (const Point& d : random.directions(random.from_to(1, 8), .55))
   {
-    const Point tip = along({0, 0, 0}, d, reach(body, d) + length);
+    const Point tip = (reach(body, d) + length) * d;
     shape.parts.push_back(is_round ? tube({{0, 0, 0}, tip}, radius, end) : cylinder({0, 0, 0}, tip, radius));
   }
   return shape;
@@ -153,7 +102,7 @@ std::vector<Point> bent_path(Random& random, const Point& from, const Point& dir
   for (int i = 0; i <= 12; ++i)
   {
     const double t = i / 12.;
-    path.push_back(along(along(from, direction, t * length), turn, bend * length * t * std::sin(waves * pi * t)));
+    path.push_back(from + t * length * direction + bend * length * t * std::sin(waves * pi * t) * turn);
   }
   return path;
 }
@@ -172,14 +121,14 @@ Shape limbs(Random& random)
   const Body body = shape.parts[0];
   for (const Point& d : directions)
   {
-    const std::vector<Point> path = bent_path(random, along({0, 0, 0}, d, .5 * size), d, length + reach(body, d) - .5 * size, bend);
+    const std::vector<Point> path = bent_path(random, .5 * size * d, d, length + reach(body, d) - .5 * size, bend);
     shape.parts.push_back(tube(path, radius, end));
     if (!has_twigs || !random.happens(.5))
       continue;
     const Point& at = path[8];
     const Point away = random.direction();
-    const Point side = along(away, d, .6 - dot(away, d));
-    shape.parts.push_back(tube({at, along(at, side, random.in(.4, .7) / norm(side))}, radius * .6, radius * .35));
+    const Point side = away + (.6 - dot(away, d)) * d;
+    shape.parts.push_back(tube({at, at + random.in(.4, .7) / test_meshes::length(side) * side}, radius * .6, radius * .35));
   }
   return shape;
 }
@@ -208,7 +157,7 @@ Shape animal(Random& random)
   }
   for (const double y : {-1., 1.})
     if (random.happens(.3))
-      shape.parts.push_back(tube({along(head, {0, y, 1}, .1), along(head, {0, y, 1.6}, .32)}, .09, .05));
+      shape.parts.push_back(tube({head + .1 * Point{0, y, 1}, head + .32 * Point{0, y, 1.6}}, .09, .05));
   return shape;
 }
 
@@ -229,7 +178,10 @@ Shape plate_with_pegs(Random& random)
   };
   const double side = random.happens(.5) ? 1 : -1;
   if (random.happens(.3))
-    leg(random.in(-.4, .4) * x, random.in(-.4, .4) * y, side);
+  {
+    const double py = random.in(-.4, .4) * y, px = random.in(-.4, .4) * x;
+    leg(px, py, side);
+  }
   else
     for (const double px : {edge - x, x - edge})
       for (const double py : {edge - y, y - edge})
@@ -252,7 +204,7 @@ std::vector<Body> parts_of_figure(Random& random)
   {
     const double turn = start + 2 * pi * (double(i) + random.in(-.12, .12)) / double(number);
     const Point d = {std::cos(turn), std::sin(turn), 0};
-    parts.push_back(tube({along({0, 0, 0}, d, .3 * size), along({0, 0, 0}, d, size + length)}, fits, (std::min)(fits, end)));
+    parts.push_back(tube({.3 * size * d, (size + length) * d}, fits, (std::min)(fits, end)));
   }
   return parts;
 }
@@ -337,83 +289,6 @@ Shape body_of_one_part(Random& random)
   return shape;
 }
 
-Test_mesh picked_faces(const Test_mesh& mesh, const std::vector<bool>& is_picked)
-{
-  Test_mesh result;
-  std::map<std::size_t, std::size_t> number;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-  {
-    if (!is_picked[f])
-      continue;
-    Face face = mesh.faces[f];
-    for (std::size_t& v : face)
-    {
-      const auto [found, is_new] = number.emplace(v, result.points.size());
-      if (is_new)
-        result.add_point(mesh.points[v]);
-      v = found->second;
-    }
-    result.add_face(face, mesh.parts[f]);
-  }
-  return result;
-}
-
-// The faces that hang together over edges, the most of them.
-Test_mesh largest_component(const Test_mesh& mesh)
-{
-  std::map<Edge, std::size_t> face_of_edge;
-  std::vector<std::size_t> root(mesh.faces.size());
-  std::iota(root.begin(), root.end(), std::size_t(0));
-  const std::function<std::size_t(std::size_t)> find = [&](std::size_t f)
-  {
-    while (root[f] != f)
-      f = root[f] = root[root[f]];
-    return f;
-  };
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const auto [found, is_new] = face_of_edge.emplace(std::minmax(mesh.faces[f][i], mesh.faces[f][(i + 1) % 3]), f);
-      root[find(f)] = find(found->second);
-    }
-  std::vector<std::size_t> size(mesh.faces.size(), 0);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    ++size[find(f)];
-  const std::size_t largest = std::size_t(std::max_element(size.begin(), size.end()) - size.begin());
-  std::vector<bool> is_picked(mesh.faces.size());
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    is_picked[f] = find(f) == largest;
-  return picked_faces(mesh, is_picked);
-}
-
-template <typename Keep>
-Test_mesh kept(const Test_mesh& mesh, Keep keep)
-{
-  std::vector<bool> is_picked;
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    is_picked.push_back(keep(face_center(mesh, f)));
-  return largest_component(picked_faces(mesh, is_picked));
-}
-
-Test_mesh mesh_of(const Shape& shape, double cells)
-{
-  Box wide, box;
-  for (const double s : {-3.4, 3.4})
-    wide.add({s, s, s}, 0);
-  for (double x = wide.low[0]; x < wide.high[0]; x += .12) // where is it?
-    for (double y = wide.low[0]; y < wide.high[0]; y += .12)
-      for (double z = wide.low[0]; z < wide.high[0]; z += .12)
-        if (shape({x, y, z}) < .15)
-          box.add({x, y, z}, .12);
-  double size = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-    size = (std::max)(size, box.high[i] - box.low[i]);
-  Test_mesh mesh = zero_set(shape, box, size / cells);
-  for (std::size_t f = 0; f < mesh.faces.size(); ++f)
-    mesh.parts[f] = shape.part_at(face_center(mesh, f));
-  return largest_component(mesh);
-}
-
 void add_noise(Random& random, Test_mesh& mesh, double height)
 {
   for (Point& p : mesh.points)
@@ -429,7 +304,7 @@ Test_mesh sheet(Random& random)
   Shape shape;
   for (const Body& part : parts_of_figure(random))
     shape.parts.push_back(plate(part, .15));
-  Test_mesh mesh = kept(mesh_of(shape, random.in(28, 60)), [](const Point& p) { return p[2] > .1499; });
+  Test_mesh mesh = kept_faces(mesh_of(shape, random.in(28, 60)), [](const Point& p) { return p[2] > .1499; });
   const double round = random.in(-.15, .15), saddle = random.in(-.15, .15), share = random.below(3) / 2.;
   for (Point& p : mesh.points)
     p[2] = share * (round * (p[0] * p[0] + p[1] * p[1]) + saddle * (p[0] * p[0] - p[1] * p[1]));
@@ -469,7 +344,7 @@ Test_mesh random_shape(std::size_t kind, std::uint32_t seed)
       high = (std::max)(high, dot(p, up));
     }
     const double cut = low + (high - low) * (change < .3 ? random.in(.05, .2) : random.in(.3, .5));
-    mesh = kept(mesh, [&](const Point& p) { return dot(p, up) > cut; });
+    mesh = kept_faces(mesh, [&](const Point& p) { return dot(p, up) > cut; });
   }
   return mesh;
 }

@@ -42,6 +42,11 @@ struct Connector_options
   std::optional<double> smallest_radius = {};
 };
 
+namespace internal {
+
+constexpr std::size_t least_number_of_sides = 3, most_sides = 1000; // more show in no print
+
+} // namespace internal
 } // namespace CGAL::Protrusion_segmentation
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_CONNECTOR_OPTIONS_H

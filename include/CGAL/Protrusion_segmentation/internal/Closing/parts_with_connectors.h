@@ -28,11 +28,11 @@ inline void check_connector_options(const Connector_options& options)
 {
   constexpr double smallest = (std::numeric_limits<double>::min)(),
                    largest = (std::numeric_limits<double>::max)();
-  constexpr std::size_t least_number_of_sides = 3, most_sides = 1000;
   if (options.number_of_sides < least_number_of_sides || options.number_of_sides > most_sides)
     throw std::invalid_argument("connectors: number_of_sides is " +
                                 std::to_string(options.number_of_sides) +
-                                ", but it must be from 3 to 1000");
+                                ", but it must be from " + std::to_string(least_number_of_sides) + " to " +
+                                std::to_string(most_sides));
   check_range("radius", options.radius, smallest, std::nextafter(1., 0.));
   check_range("depth", options.depth, smallest, largest);
   check_range("chamfer", options.chamfer, 0, 0.5);

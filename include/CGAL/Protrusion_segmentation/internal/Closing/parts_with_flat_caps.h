@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CLOSING_PARTS_WITH_FLAT_CAPS_H
 
 #include <CGAL/Protrusion_segmentation/internal/Closing/Capper.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/subtree.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -103,20 +104,6 @@ private:
   const std::vector<std::size_t>& m_segment_of_face;
   std::vector<Mesh_to_close::Halfedge_index> m_halfedges; // between two segments
 };
-
-// For each segment: does it stick out of `segment`, or is it that itself?
-inline std::vector<bool> subtree(std::size_t segment, const std::vector<std::size_t>& parents)
-{
-  std::vector<bool> inside(parents.size(), false);
-  for (std::size_t s = 0; s < parents.size(); ++s)
-  {
-    std::size_t ancestor = s;
-    while (ancestor != segment && parents[ancestor] != ancestor)
-      ancestor = parents[ancestor];
-    inside[s] = ancestor == segment;
-  }
-  return inside;
-}
 
 // Triangles without those that are there both ways.
 class Caps_of_part

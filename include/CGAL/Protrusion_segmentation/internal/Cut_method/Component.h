@@ -17,10 +17,12 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/describe_protrusions.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/Next_segment.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/subtree.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
@@ -93,15 +95,14 @@ private:
     for (std::size_t number = tips.size() + 1; number > 1 && 4 * (number - 1) >= 3 * tips.size(); --number)
       if (const Cut_set* found = m_beam.best(number))
       {
-        const Cut_set set = *found;
-        const std::vector<Index> own = tips_of(set);
+        const std::vector<Index> own = tips_of(*found);
         std::vector<Index> tips_first = tips;
         const auto end = std::stable_partition(tips_first.begin(), tips_first.end(), [&](Index f)
                                                { return std::find(own.begin(), own.end(), f) != own.end(); });
         if (static_cast<std::size_t>(end - tips_first.begin()) == own.size())
         {
           tips = std::move(tips_first);
-          return set;
+          return *found;
         }
       }
     return tips.empty() ? *m_beam.best(1) : cuts_of_automatic_segments(tips);
@@ -110,25 +111,25 @@ private:
   // The automatic segmentation, where the segments without tips belong to what they stick out of.
   Cut_set cuts_of_automatic_segments(std::vector<Index>& tips)
   {
-    const Cut_set set = *m_beam.best(automatic_number());
-    const Component_segments segments(m_graphs, memo(), set, m_options, m_execution);
+    const Component_segments segments(m_graphs, memo(), *m_beam.best(automatic_number()), m_options, m_execution);
     const std::vector<Protrusion<Index>> protrusions = describe(segments);
     const auto segment_of = [&](Index tip) // the end of a protrusion may lie in another one that sticks out of it
     {
       const auto found = std::find_if(protrusions.begin(), protrusions.end(), [&](const auto& p) { return p.tip == tip; });
       return found == protrusions.end() ? segments.labels()[tip] : static_cast<Index>(found->segment);
     };
+    Cut_set result = *m_beam.best(1);
     std::vector<Index> with_cut, others;
     std::vector<bool> has_tip(segments.number_of_segments(), false);
+    has_tip[0] = true; // the body has no cut
     for (Index tip : tips)
     {
       const Index s = segment_of(tip);
-      (s == 0 || has_tip[s] ? others : with_cut).push_back(tip);
+      (has_tip[s] ? others : with_cut).push_back(tip);
+      if (!has_tip[s])
+        cut_off(result, segments, s);
       has_tip[s] = true;
     }
-    Cut_set result = *m_beam.best(1);
-    for (Index tip : with_cut)
-      cut_off(result, segments, segment_of(tip));
     tips = std::move(with_cut);
     tips.insert(tips.end(), others.begin(), others.end());
     return result;
@@ -137,17 +138,13 @@ private:
   // Cuts a segment and all that sticks out of it, as far as they are there, off one of the set's.
   void cut_off(Cut_set& set, const Component_segments& segments, Index segment)
   {
+    const std::vector<bool> is_beyond = subtree(segment, segments.parents());
     std::vector<bool> is_inner(m_graphs.coarse.number_of_nodes(), false);
     for (Index s = 0; s < segments.number_of_segments(); ++s)
-      if (is_beyond(segments, s, segment))
+      if (is_beyond[s])
         for (Index node : memo()[segments.segments_of_memo()[s]].segment.nodes)
           is_inner[node] = true;
-    const Index first = memo()[segments.segments_of_memo()[segment]].segment.nodes.front();
-    const Index id = *std::find_if(set.segments.begin(), set.segments.end(), [&](Index candidate)
-                                   {
-                                     const Nodes& nodes = memo()[candidate].segment.nodes;
-                                     return std::binary_search(nodes.begin(), nodes.end(), first);
-                                   });
+    const Index id = memo().segment_with(memo()[segments.segments_of_memo()[segment]].segment.nodes.front(), set);
     Cut cut;
     for (Index node : memo()[id].segment.nodes)
       if (is_inner[node])
@@ -155,13 +152,6 @@ private:
     cut.value = segments.cut(segment)->value;
     cut.probability = segments.cut(segment)->probability;
     set = set.with(m_beam.memo().made_cut(id, cut));
-  }
-
-  static bool is_beyond(const Component_segments& segments, Index s, Index segment)
-  {
-    while (s != segment && segments.parents()[s] != s)
-      s = segments.parents()[s];
-    return s == segment;
   }
 
   std::vector<Index> tips_of(const Cut_set& set)

@@ -97,6 +97,17 @@ public:
     m_entries[id].is_searched = true;
   }
 
+  // That of the set's segments that has a node.
+  Index segment_with(Index node, const Cut_set& set) const
+  {
+    return *std::find_if(set.segments.begin(), set.segments.end(),
+                         [&](Index id)
+                         {
+                           const Nodes& nodes = m_entries[id].segment.nodes;
+                           return std::binary_search(nodes.begin(), nodes.end(), node);
+                         });
+  }
+
   Cut_set::Made_cut made_cut(Index id, const Cut& cut)
   {
     const Index inner = find_or_add(cut.inner);

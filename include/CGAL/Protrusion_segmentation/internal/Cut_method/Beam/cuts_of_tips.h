@@ -41,8 +41,7 @@ public:
     for (std::size_t t = kept.cuts.size(); t < faces.size(); ++t)
     {
       m_execution.check();
-      const Index segment = *std::find_if(result.segments.begin(), result.segments.end(),
-                                          [&](Index s) { return contains(m_memo[s].segment.nodes, tips[t]); });
+      const Index segment = m_memo.segment_with(tips[t], result);
       if (const std::optional<Cut> cut = cut_of_tip(m_memo[segment].segment, tips[t], tips))
         result = result.with(m_memo.made_cut(segment, *cut));
     }
@@ -50,11 +49,6 @@ public:
   }
 
 private:
-  static bool contains(const Nodes& ascending, Index node)
-  {
-    return std::binary_search(ascending.begin(), ascending.end(), node);
-  }
-
   // The nodes of the picked tips, and where these are few of further ones that are about as far from each other.
   std::vector<Index> nodes_of_tips(Index whole, const std::vector<Index>& faces)
   {
