@@ -59,22 +59,28 @@ Test_mesh sheet(Part part, int cells = 90)
   return mesh;
 }
 
-// A disk with straight arms around it, each a part.
-Test_mesh star(int arms, int cells)
+// A disk with arms around it, each a part. `half_width(r)`: of an arm at the distance r from the centre; `turned`: by how many arms
+template <typename HalfWidth>
+Test_mesh star_with_arms(int arms, int cells, double disk, double turned, HalfWidth half_width)
 {
   return sheet(
-    [arms](double x, double y)
+    [=](double x, double y)
     {
-      constexpr double disk = 0.35, reach = 0.95, half_width = 0.12;
-      const double r = std::hypot(x, y), turn = std::atan2(y, x) * arms / (2 * pi) + arms; // in arms
+      constexpr double reach = 0.95;
+      const double r = std::hypot(x, y), turn = std::atan2(y, x) * arms / (2 * pi) + arms + turned; // in arms
       const double nearest = std::round(turn), angle = (turn - nearest) * 2 * pi / arms;
       if (r < disk)
         return 0;
-      return r < reach && std::abs(r * std::sin(angle)) < half_width && std::abs(angle) < pi / arms
+      return r < reach && std::abs(r * std::sin(angle)) < half_width(r) && std::abs(angle) < pi / arms
                ? 1 + int(nearest) % arms
                : outside;
     },
     cells);
+}
+
+Test_mesh star(int arms, int cells)
+{
+  return star_with_arms(arms, cells, 0.35, 0, [](double) { return 0.12; });
 }
 
 Test_mesh flat_dumbbell()
@@ -176,17 +182,8 @@ void tapering_arms_are_whole()
   for (const int arms : {3, 4, 5})
     for (const int cells : {64, 90, 120, 140})
     {
-      const auto part = [&](double x, double y)
-      {
-        const double r = std::hypot(x, y), turn = std::atan2(y, x) * arms / (2 * pi) + arms + 0.13;
-        const double nearest = std::round(turn), angle = (turn - nearest) * 2 * pi / arms;
-        if (r < 0.4)
-          return 0;
-        const double half_width = 0.17 - 0.11 * (r - 0.4) / 0.55;
-        return r < 0.95 && std::abs(r * std::sin(angle)) < half_width && std::abs(angle) < pi / arms ? 1 + int(nearest) % arms
-                                                                                                     : outside;
-      };
-      const Test_mesh mesh = sheet(part, cells);
+      const Test_mesh mesh =
+        star_with_arms(arms, cells, 0.4, 0.13, [](double r) { return 0.17 - 0.11 * (r - 0.4) / 0.55; });
       check_parts(mesh, segmentation(mesh), 0.9);
     }
 }

@@ -68,13 +68,8 @@ void test_segmentations(const Mesh& mesh, std::size_t number, const std::string&
 // Three segments and more at one vertex, loops that touch themselves, segments in several pieces.
 void test_random_labels(const Mesh& mesh, std::size_t number, unsigned int seed, const std::string& name)
 {
-  std::mt19937 random(seed);
-  Labels labels(mesh.number_of_faces()), parents = {0};
-  for (std::size_t s = 1; s < number; ++s)
-    parents.push_back(random() % s);
-  for (std::size_t& label : labels)
-    label = random() % number;
-  check_parts(mesh, labels, parents, name + " at random");
+  const Random_segments segments(mesh, number, seed);
+  check_parts(mesh, segments.labels, segments.parents, name + " at random");
 }
 
 // Two cubes next to each other become two cubes.

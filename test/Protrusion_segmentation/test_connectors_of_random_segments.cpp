@@ -19,13 +19,8 @@ namespace {
 // Any segments at all: several pieces, loops that touch themselves, caps that cancel each other.
 void test_random_labels(const Mesh& mesh, std::size_t number, unsigned int seed, const std::string& name)
 {
-  std::mt19937 random(seed);
-  Labels labels(mesh.number_of_faces()), parents = {0};
-  for (std::size_t s = 1; s < number; ++s)
-    parents.push_back(random() % s);
-  for (std::size_t& label : labels)
-    label = random() % number;
-  check_connected(mesh, labels, parents, {}, name + " at random");
+  const Random_segments segments(mesh, number, seed);
+  check_connected(mesh, segments.labels, segments.parents, {}, name + " at random");
 }
 
 // Patches that grow from random faces, and random options.

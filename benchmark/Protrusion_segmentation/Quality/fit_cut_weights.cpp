@@ -9,13 +9,13 @@
 #include "Benchmark_folder.h"
 #include "Candidate_pool.h"
 #include "bootstrap.h"
+#include "for_each_in_threads.h"
 #include "markdown_head.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -27,7 +27,6 @@
 #include <random>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -142,18 +141,12 @@ private:
     std::vector<std::pair<Candidate_pool* const, double>*> items;
     for (auto& item : errors)
       items.push_back(&item);
-    std::atomic<std::size_t> next(0);
-    const auto work = [&]
-    {
-      for (std::size_t i; (i = next++) < items.size();)
-        items[i]->second = error_of(items[i]->first->errors(weights), items[i]->first->has_known_parts());
-    };
-    std::vector<std::thread> threads;
-    for (std::size_t t = 1; t < m_number_of_threads; ++t)
-      threads.emplace_back(work);
-    work();
-    for (std::thread& thread : threads)
-      thread.join();
+    for_each_in_threads(items.size(), m_number_of_threads,
+                        [&](std::size_t i)
+                        {
+                          auto& [pool, error] = *items[i];
+                          error = error_of(pool->errors(weights), pool->has_known_parts());
+                        });
     return errors;
   }
 

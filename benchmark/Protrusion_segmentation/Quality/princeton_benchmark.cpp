@@ -17,13 +17,13 @@
 #include "Segmentation_folder.h"
 #include "contact_sheet.h"
 #include "contestants.h"
+#include "for_each_in_threads.h"
 #include "markdown_head.h"
 #include "methods.h"
 #include "reports.h"
 
 #include <CLI/CLI.hpp>
 
-#include <atomic>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -32,7 +32,6 @@
 #include <mutex>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
 
 struct Options
@@ -104,13 +103,14 @@ public:
 
   std::vector<Model_results> run()
   {
-    std::vector<std::thread> threads;
-    for(unsigned int i = 0; i < (std::max)(1u, m_options.threads); ++i)
-      threads.emplace_back([this]() { work(); });
-    for(std::thread& thread : threads)
-      thread.join();
-    if(m_exception)
-      std::rethrow_exception(m_exception);
+    for_each_in_threads(m_models.size(), (std::max)(1u, m_options.threads),
+                        [this](std::size_t i)
+                        {
+                          const std::string problem = run_model(i);
+                          const std::lock_guard<std::mutex> lock(m_mutex);
+                          std::cerr << "model " << m_models[i] << " (" << ++m_number_done << " of "
+                                    << m_models.size() << ")" << problem << std::endl;
+                        });
     std::vector<Model_results> results;
     for(Model_results& of_model : m_results)
       if(of_model.model != 0) // else it could not be read
@@ -124,26 +124,6 @@ public:
   }
 
 private:
-  void work()
-  {
-    try
-    {
-      for(std::size_t i; (i = m_next++) < m_models.size(); )
-      {
-        const std::string problem = run_model(i);
-        const std::lock_guard<std::mutex> lock(m_mutex);
-        std::cerr << "model " << m_models[i] << " (" << ++m_number_done << " of "
-                  << m_models.size() << ")" << problem << std::endl;
-      }
-    }
-    catch(...)
-    {
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      m_exception = std::current_exception();
-      m_next = m_models.size(); // the other threads stop as well
-    }
-  }
-
   // Why it is left out; empty if it is not.
   std::string run_model(std::size_t i)
   {
@@ -165,10 +145,8 @@ private:
   const Options& m_options;
   std::vector<int> m_models;
   std::vector<Model_results> m_results;
-  std::atomic<std::size_t> m_next{0};
   std::size_t m_number_done = 0;
   std::mutex m_mutex;
-  std::exception_ptr m_exception;
 };
 
 void write_output(const std::string& folder, const std::string& name,

@@ -20,6 +20,7 @@
 
 #include <cstddef>
 #include <map>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,21 @@ inline CGAL::Protrusion_segmentation::Segmentation_record<Mesh> record_of(const 
     }
   return record;
 }
+
+// Any segments at all, each with a parent that comes before it.
+struct Random_segments
+{
+  Labels labels, parents = {0};
+
+  Random_segments(const Mesh& mesh, std::size_t number, unsigned int seed) : labels(mesh.number_of_faces())
+  {
+    std::mt19937 random(seed);
+    for (std::size_t s = 1; s < number; ++s)
+      parents.push_back(random() % s);
+    for (std::size_t& label : labels)
+      label = random() % number;
+  }
+};
 
 // Six times the volume, of fans.
 inline double volume(const Part& part)
