@@ -13,11 +13,10 @@
 # SUITE is trixie by default, the release after bookworm, with CGAL 6.0.1. Further packages of CGAL
 # from there are unpacked besides.
 #
-# The archive is the one that this machine's own apt sources name. Nothing is installed, and
-# neither the sources nor the package lists of the machine change. What FOLDER already holds is
-# not fetched again.
+# The archive is that of debian_archive.sh. What FOLDER already holds is not fetched again.
 
 set -eu
+. "$(dirname "$0")/debian_archive.sh"
 
 package=libcgal-dev
 
@@ -45,29 +44,9 @@ cgal_dir()
 if [ -z "$(cgal_dir)" ]
 then
   [ ! -e "$folder/usr" ] || fail "$folder/usr exists and holds no CGAL"
-  command -v apt-get > /dev/null && command -v dpkg > /dev/null || fail "needs apt-get and dpkg"
-
-  # An entry of the sources may name the release by its suite or by its code name.
-  uri=$(apt-get indextargets --format '$(COMPONENT) $(REPO_URI) $(RELEASE) $(CODENAME)' \
-        | awk -v release="$(. /etc/os-release && echo "$VERSION_CODENAME")" \
-              '$1 == "main" && ($3 == release || $4 == release) { print $2; exit }')
-  [ -n "$uri" ] || fail "the apt sources of this machine name no Debian archive"
-
-  apt_folder=$folder/apt
-  mkdir -p "$apt_folder/lists/partial" "$apt_folder/cache/archives/partial"
-  keyring=/usr/share/keyrings/debian-archive-keyring.gpg
-  signed=
-  [ ! -f "$keyring" ] || signed="[signed-by=$keyring]"
-  echo "deb $signed $uri $suite main" > "$apt_folder/sources.list"
-
-  in_suite()
-  {
-    apt-get -q -o Dir::Etc::sourcelist="$apt_folder/sources.list" -o Dir::Etc::sourceparts=- \
-            -o Dir::State::Lists="$apt_folder/lists" -o Dir::Cache="$apt_folder/cache" \
-            -o APT::Sandbox::User=root "$@" >&2
-  }
-  in_suite update || fail "cannot read the package lists of $suite from $uri"
-  (cd "$apt_folder" && in_suite download "$package" "$@") || fail "cannot download $package of $suite"
+  command -v dpkg > /dev/null || fail "needs dpkg"
+  use_archive deb "$suite" "$folder/apt"
+  in_archive download "$package" "$@" || fail "cannot download $package of $suite"
   for archive in "$apt_folder"/*.deb
   do
     dpkg -x "$archive" "$apt_folder/unpacked"
