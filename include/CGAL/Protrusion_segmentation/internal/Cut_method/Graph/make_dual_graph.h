@@ -156,14 +156,20 @@ public:
   void operator()(Seam_graph& graph, const Centres& centre) const
   {
     graph.outward = signed_volume(m_surface, m_execution.is_parallel()) < 0 ? -1 : 1;
-    const Triples normals = average_normals(m_surface, graph, centre, graph.outward, m_execution);
+    const Triples normals = average_normals(m_surface, graph, centre, m_execution);
+    Triples roof; // what it adds to an open surface are seams
+    if (is_open(m_surface))
+      roof = Border_roof(m_surface, m_execution)(graph, centre, graph.outward, normals);
     for (std::vector<float>* weights : {&graph.curvature, &graph.concave_length, &graph.capacity})
       weights->resize(graph.target.size());
     for_each_number(graph.number_of_nodes(), m_execution.is_parallel(),
                     [&](Index f)
                     {
                       for (Index arc : graph.arcs(f))
-                        weigh(graph, arc, curvature(graph, f, arc, normals));
+                      {
+                        const double own = curvature(graph, f, arc, normals);
+                        weigh(graph, arc, roof.empty() ? own : (std::max)(own, curvature(graph, f, arc, roof)));
+                      }
                     });
   }
 
