@@ -9,6 +9,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_clues.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Local_connectivity.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/minimum_cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
@@ -52,13 +53,16 @@ inline void sort_best_first(std::vector<Cut>& cuts)
 class Cutter
 {
 public:
+  using Index = Dual_graph::Index;
+
   // The arguments must outlive the object.
   Cutter(const Volume_graph& graph, const Cut_options& options, Graph_partition& partition, Graph_distances& distances)
     : m_graph(graph),
       m_options(options),
       m_partition(partition),
       m_strips(graph, distances),
-      m_minimum_cut(partition, distances)
+      m_minimum_cut(partition, distances),
+      m_connectivity(partition)
   {}
 
   // The cut around some nodes of a segment, both sides made connected. The minimum cut near it takes its place if that is
@@ -89,9 +93,20 @@ private:
     const double old_cost = bisection.relative_cost();
     Nodes side;
     std::set_symmetric_difference(old_side.begin(), old_side.end(), moved.begin(), moved.end(), std::back_inserter(side));
-    bisection.set_side(side);
+    move(bisection, moved, std::move(side));
     if (!(bisection.relative_cost() < old_cost))
-      bisection.set_side(old_side);
+      bisection.set_connected_side(old_side);
+  }
+
+  // Makes `side` the inner one, which differs from it by the nodes `moved`.
+  void move(Bisection& bisection, const Nodes& moved, Nodes side)
+  {
+    for (Index i : moved)
+      m_partition.set_inner(i, !m_partition.is_inner(i));
+    if (m_connectivity.is_connected(true, moved) && m_connectivity.is_connected(false, moved))
+      bisection.set_connected_side(std::move(side));
+    else
+      bisection.set_side(side);
   }
 
   const Volume_graph& m_graph;
@@ -99,6 +114,7 @@ private:
   Graph_partition& m_partition;
   Strip_measurer m_strips;
   Minimum_cut m_minimum_cut;
+  Local_connectivity m_connectivity;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal
