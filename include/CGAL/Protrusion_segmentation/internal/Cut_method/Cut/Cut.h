@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -65,12 +64,13 @@ public:
       m_connectivity(partition)
   {}
 
-  // The cut around some nodes of a segment, both sides made connected. The minimum cut near it takes its place if that is
+  // The cut around connected nodes of a segment, the other side made connected as well. The minimum cut near it takes its place if that is
   // cheaper for the areas of its sides. There is none if a side is too small to be a segment.
   std::optional<Cut> cut_around(const Segment& segment, const Nodes& nodes)
   {
     Bisection bisection(m_partition, segment);
-    bisection.set_side(nodes);
+    change_sides(nodes);
+    take_marked(bisection, m_connectivity.is_connected(false, nodes));
     move_to_minimum_cut(bisection);
     if (!bisection.has_large_sides())
       return std::nullopt;
@@ -91,19 +91,23 @@ private:
       return;
     const Nodes old_side = bisection.inner();
     const double old_cost = bisection.relative_cost();
-    Nodes side;
-    std::set_symmetric_difference(old_side.begin(), old_side.end(), moved.begin(), moved.end(), std::back_inserter(side));
-    move(bisection, moved, std::move(side));
+    change_sides(moved);
+    take_marked(bisection, m_connectivity.is_connected(true, moved) && m_connectivity.is_connected(false, moved));
     if (!(bisection.relative_cost() < old_cost))
       bisection.set_connected_side(old_side);
   }
 
-  // Makes `side` the inner one, which differs from it by the nodes `moved`.
-  void move(Bisection& bisection, const Nodes& moved, Nodes side)
+  void change_sides(const Nodes& nodes)
   {
-    for (Index i : moved)
+    for (Index i : nodes)
       m_partition.set_inner(i, !m_partition.is_inner(i));
-    if (m_connectivity.is_connected(true, moved) && m_connectivity.is_connected(false, moved))
+  }
+
+  // Makes the marked nodes the inner side. `are_connected`: whether both sides are seen to be connected
+  void take_marked(Bisection& bisection, bool are_connected)
+  {
+    Nodes side = m_partition.marked(bisection.segment().nodes);
+    if (are_connected)
       bisection.set_connected_side(std::move(side));
     else
       bisection.set_side(side);
