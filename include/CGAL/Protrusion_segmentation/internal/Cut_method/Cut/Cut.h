@@ -82,6 +82,8 @@ public:
     return cut;
   }
 
+  const Minimum_cut& minimum_cut() const { return m_minimum_cut; }
+
 private:
   void move_to_minimum_cut(Bisection& bisection)
   {

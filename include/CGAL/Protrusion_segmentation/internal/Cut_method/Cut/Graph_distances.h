@@ -59,6 +59,7 @@ public:
     scan(seeds, is_inside, length, limit, [&] { append_scanned(result); });
     for (Index node : result.nodes)
       m_distances[node] = unreached;
+    m_number_of_nodes += result.nodes.size();
     return result;
   }
 
@@ -78,9 +79,13 @@ public:
         result.distances.push_back(m_distances[node]);
         m_distances[node] = unreached;
       }
+    m_number_of_nodes += result.nodes.size();
     m_scanned.clear();
     return result;
   }
+
+  // that were reached over all runs
+  std::size_t number_of_nodes() const { return m_number_of_nodes; }
 
 private:
   using Ring = Bucket_ring<Index, float>;
@@ -153,6 +158,7 @@ private:
   Ring m_ring;
   Nodes m_scanned;               // some more than once
   std::vector<Float_key> m_keys; // of these, each once, in order
+  std::size_t m_number_of_nodes = 0;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -101,6 +101,7 @@ public:
   Nodes nodes_to_move(const Nodes& inner, const Band& band)
   {
     const Nodes movable = nodes_of_band(inner, band);
+    m_number_of_nodes += movable.size();
     Band_network network(m_partition, movable, m_number);
     Nodes result;
     if (!network.has_terminals())
@@ -112,6 +113,9 @@ public:
     std::sort(result.begin(), result.end());
     return result;
   }
+
+  // in the bands of all cuts
+  std::size_t number_of_nodes() const { return m_number_of_nodes; }
 
 private:
   // The nodes that a cut may move over.
@@ -153,6 +157,7 @@ private:
   Graph_partition& m_partition;
   Graph_distances& m_distances;
   std::vector<Index> m_number; // of every node, see `Band_network`
+  std::size_t m_number_of_nodes = 0;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal
