@@ -30,15 +30,9 @@ using Method = std::function<Labels(const Mesh&)>;
 
 constexpr const char* golden_file = "data/golden_labels.txt";
 
-// Sines and cosines may differ in their last digit; fewer digits hide that. (Floats would not do: g++ 12 with
-// -O3 leaves the conversion to float and back out.)
 Mesh rounded(const Test_mesh& mesh)
 {
-  const auto round = [](double x) { return std::ldexp(std::round(std::ldexp(x, 24)), -24); };
-  return to_graph<Mesh>(transformed(mesh,
-                                    [round](const Point& p) {
-                                      return Point{round(p[0]), round(p[1]), round(p[2])};
-                                    }));
+  return to_graph<Mesh>(with_rounded_points(mesh));
 }
 
 std::map<std::string, Mesh> meshes()

@@ -67,8 +67,12 @@ void is_as_defined(const Seam_graph& graph, std::uint_fast32_t seed)
   internal::Graph_distances distances(graph);
   const auto found = [&](const Nodes& seeds, double limit)
   {
-    return as_pairs(distances(
-      seeds, [&](Index, Index to) -> bool { return is_open[to]; }, graph.lengths(), limit));
+    const auto is_inside = [&](Index, Index to) -> bool { return is_open[to]; };
+    auto in_any_order = as_pairs(distances.in_any_order(seeds, is_inside, graph.lengths(), limit));
+    std::sort(in_any_order.begin(), in_any_order.end());
+    const auto result = as_pairs(distances(seeds, is_inside, graph.lengths(), limit));
+    CGAL_CHECK(in_any_order == result);
+    return result;
   };
   for (int i = 0; i < 6; ++i)
   {

@@ -10,6 +10,7 @@
 
 #include "test_mesh.h"
 
+#include <cmath>
 #include <random>
 
 namespace test_meshes {
@@ -39,6 +40,15 @@ Test_mesh transformed(Test_mesh mesh, Function function)
 {
   std::transform(mesh.points.begin(), mesh.points.end(), mesh.points.begin(), function);
   return mesh;
+}
+
+// Sines and cosines may differ in their last digit; fewer digits hide that. (Floats would not do: g++ 12 with
+// -O3 leaves the conversion to float and back out.)
+inline Test_mesh with_rounded_points(const Test_mesh& mesh)
+{
+  const auto round = [](double x) { return std::ldexp(std::round(std::ldexp(x, 24)), -24); };
+  return transformed(mesh,
+                     [round](const Point& p) { return Point{round(p[0]), round(p[1]), round(p[2])}; });
 }
 
 inline Test_mesh translated(const Test_mesh& mesh, const Point& vector)

@@ -50,6 +50,7 @@ public:
 
   const Graphs_of_surface& graphs() const { return m_graphs; }
   const Segment_memo& memo() const { return m_beam.memo(); }
+  const Segment_search& search() const { return m_search; }
   std::size_t number_of_runs() const { return m_search.number_of_runs(); }
 
   // The best cuts into a number of segments; none if there are not as many.

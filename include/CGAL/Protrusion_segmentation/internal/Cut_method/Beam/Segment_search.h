@@ -81,6 +81,12 @@ public:
   {}
 
   std::size_t number_of_runs() const { return m_number_of_runs; }
+  // Calls `visit(workspace)` for that of every thread: they count what they do.
+  template <typename Visit>
+  void for_each_workspace(Visit visit) const
+  {
+    m_workspaces.for_each(visit);
+  }
 
   // For each segment its cuts, best first.
   std::vector<std::vector<Cut>> operator()(const std::vector<const Segment*>& segments)

@@ -36,7 +36,7 @@ public:
   {
     m_partition.select(segment);
     return m_distances(
-      Nodes(1, tip), [&](Index, Index to) { return m_partition.is_selected(to); }, m_graph.seam_lengths());
+      Nodes(1, tip), [&](Index, Index to) { return m_partition.is_selected(to); }, m_distances.seam_lengths());
   }
 
   // The orders from the tips of a segment, selected by eq. (2) from the node farthest from the segment's centre of

@@ -40,9 +40,13 @@ public:
   // Makes these nodes the inner side, or their complement if that is smaller, and both sides connected.
   void set_side(const Nodes& side)
   {
-    m_inner = m_partition.connect_sides(m_segment.nodes, side);
-    m_inner_area = graph().area_of(m_inner);
-    take_smaller_side();
+    take_smaller(m_partition.connect_sides(m_segment.nodes, side));
+  }
+  // The same if both sides are connected. The nodes are ascending.
+  void set_connected_side(Nodes side)
+  {
+    m_partition.mark(m_segment.nodes, side);
+    take_smaller(std::move(side));
   }
 
   // The cost of the cut relative to the smaller side's area, infinite if a side is too small to be a segment.
@@ -56,8 +60,10 @@ public:
   }
 
 private:
-  void take_smaller_side()
+  void take_smaller(Nodes side)
   {
+    m_inner = std::move(side);
+    m_inner_area = graph().area_of(m_inner);
     if (2 * m_inner_area <= m_segment.area)
       return;
     m_inner = other_side(m_segment, m_inner);

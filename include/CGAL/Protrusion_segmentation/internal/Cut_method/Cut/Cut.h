@@ -9,13 +9,13 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_clues.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Local_connectivity.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/minimum_cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -52,21 +52,25 @@ inline void sort_best_first(std::vector<Cut>& cuts)
 class Cutter
 {
 public:
+  using Index = Dual_graph::Index;
+
   // The arguments must outlive the object.
   Cutter(const Volume_graph& graph, const Cut_options& options, Graph_partition& partition, Graph_distances& distances)
     : m_graph(graph),
       m_options(options),
       m_partition(partition),
       m_strips(graph, distances),
-      m_minimum_cut(partition, distances)
+      m_minimum_cut(partition, distances),
+      m_connectivity(partition)
   {}
 
-  // The cut around some nodes of a segment, both sides made connected. The minimum cut near it takes its place if that is
+  // The cut around connected nodes of a segment, the other side made connected as well. The minimum cut near it takes its place if that is
   // cheaper for the areas of its sides. There is none if a side is too small to be a segment.
   std::optional<Cut> cut_around(const Segment& segment, const Nodes& nodes)
   {
     Bisection bisection(m_partition, segment);
-    bisection.set_side(nodes);
+    change_sides(nodes);
+    take_marked(bisection, m_connectivity.is_connected(false, nodes));
     move_to_minimum_cut(bisection);
     if (!bisection.has_large_sides())
       return std::nullopt;
@@ -78,6 +82,8 @@ public:
     return cut;
   }
 
+  const Minimum_cut& minimum_cut() const { return m_minimum_cut; }
+
 private:
   void move_to_minimum_cut(Bisection& bisection)
   {
@@ -87,11 +93,26 @@ private:
       return;
     const Nodes old_side = bisection.inner();
     const double old_cost = bisection.relative_cost();
-    Nodes side;
-    std::set_symmetric_difference(old_side.begin(), old_side.end(), moved.begin(), moved.end(), std::back_inserter(side));
-    bisection.set_side(side);
+    change_sides(moved);
+    take_marked(bisection, m_connectivity.is_connected(true, moved) && m_connectivity.is_connected(false, moved));
     if (!(bisection.relative_cost() < old_cost))
-      bisection.set_side(old_side);
+      bisection.set_connected_side(old_side);
+  }
+
+  void change_sides(const Nodes& nodes)
+  {
+    for (Index i : nodes)
+      m_partition.set_inner(i, !m_partition.is_inner(i));
+  }
+
+  // Makes the marked nodes the inner side. `are_connected`: whether both sides are seen to be connected
+  void take_marked(Bisection& bisection, bool are_connected)
+  {
+    Nodes side = m_partition.marked(bisection.segment().nodes);
+    if (are_connected)
+      bisection.set_connected_side(std::move(side));
+    else
+      bisection.set_side(side);
   }
 
   const Volume_graph& m_graph;
@@ -99,6 +120,7 @@ private:
   Graph_partition& m_partition;
   Strip_measurer m_strips;
   Minimum_cut m_minimum_cut;
+  Local_connectivity m_connectivity;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -101,6 +101,7 @@ public:
   Nodes nodes_to_move(const Nodes& inner, const Band& band)
   {
     const Nodes movable = nodes_of_band(inner, band);
+    m_number_of_nodes += movable.size();
     Band_network network(m_partition, movable, m_number);
     Nodes result;
     if (!network.has_terminals())
@@ -113,6 +114,9 @@ public:
     return result;
   }
 
+  // in the bands of all cuts
+  std::size_t number_of_nodes() const { return m_number_of_nodes; }
+
 private:
   // The nodes that a cut may move over.
   Nodes nodes_of_band(const Nodes& inner, const Band& band)
@@ -122,32 +126,38 @@ private:
       return {};
     // no need to know more of the depth than what limits the width
     const Nodes_by_distance inner_side = on_side(inside, true, band.widest / band.inner);
-    const double inner_width = (std::min)(band.widest, band.inner * inner_side.distances.back());
+    const double inner_width = (std::min)(band.widest, band.inner * depth(inner_side));
     const double outer_width = band.outer * inner_width;
     const Nodes_by_distance outer_side = on_side(outside, false, outer_width / band.outermost);
     Nodes nodes;
     append_up_to(inner_width, inner_side, nodes);
-    append_up_to((std::min)(outer_width, band.outermost * outer_side.distances.back()), outer_side, nodes);
+    append_up_to((std::min)(outer_width, band.outermost * depth(outer_side)), outer_side, nodes);
     return nodes;
   }
 
   Nodes_by_distance on_side(const Nodes& seeds, bool inner, double limit)
   {
-    return m_distances(
-      seeds, [&](Index, Index to) { return m_partition.is_on_side(to, inner); }, m_partition.graph().seam_lengths(), limit);
+    return m_distances.in_any_order(
+      seeds, [&](Index, Index to) { return m_partition.is_on_side(to, inner); }, m_distances.seam_lengths(), limit);
+  }
+
+  static double depth(const Nodes_by_distance& side)
+  {
+    return *std::max_element(side.distances.begin(), side.distances.end());
   }
 
   void append_up_to(double width, const Nodes_by_distance& side, Nodes& nodes) const
   {
     constexpr std::size_t most_arcs = 1000; // of a node of `MaxFlow::Graph`: its blocks of arcs have 1024
-    for (std::size_t i = 0; i < side.nodes.size() && side.distances[i] <= width; ++i)
-      if (m_partition.graph().arcs(side.nodes[i]).size() <= most_arcs)
+    for (std::size_t i = 0; i < side.nodes.size(); ++i)
+      if (side.distances[i] <= width && m_partition.graph().arcs(side.nodes[i]).size() <= most_arcs)
         nodes.push_back(side.nodes[i]);
   }
 
   Graph_partition& m_partition;
   Graph_distances& m_distances;
   std::vector<Index> m_number; // of every node, see `Band_network`
+  std::size_t m_number_of_nodes = 0;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal
