@@ -73,9 +73,9 @@ public:
 private:
   static Vector_3 vector(const Triple& t) { return {t[0], t[1], t[2]}; }
 
-  // Over which directions at the border are averaged, in units of the square root of the area. With .15 arms of stars are
-  // cut in two, with .25 or more some are lost.
-  static constexpr double radius = 0.2;
+  // Over which directions at the border are averaged, in units of the square root of the area. With .1 arms are cut in two,
+  // with .25 some are lost.
+  static constexpr double radius = 0.15;
 
   // Of the roof, for the length of the averaged direction. This falls by e over a quarter of the radius, the slope over all of it:
   // arms lean up to their middle, and what is far from the border does not. With a share of .1 plates lose pegs, with .4 arms.
