@@ -194,6 +194,66 @@ Changed_mesh without_a_face(const Mesh& mesh)
   return result;
 }
 
+// The triangles for whose centroids a predicate holds.
+template <typename Predicate>
+Changed_mesh part_with(const Mesh& mesh, Predicate predicate)
+{
+  std::vector<Face> faces;
+  for (const Face f : mesh.faces())
+  {
+    const auto h = mesh.halfedge(f);
+    if (predicate(CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))))
+      faces.push_back(f);
+  }
+  Changed_mesh result;
+  add_copy(mesh, faces, 0, [](const Point& p) { return p; }, result);
+  return result;
+}
+
+// Without the lowest twentieth of the height.
+Changed_mesh without_underside(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  const double least = box.zmin() + 0.05 * box.z_span();
+  return part_with(mesh, [least](const Point& p) { return p.z() > least; });
+}
+
+// The half that is seen along the shortest side of the bounding box.
+Changed_mesh one_side(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  const double spans[] = {box.x_span(), box.y_span(), box.z_span()};
+  const int axis = int(std::min_element(spans, spans + 3) - spans);
+  const double middle = (box.min(axis) + box.max(axis)) / 2;
+  return part_with(mesh, [axis, middle](const Point& p) { return p[axis] > middle; });
+}
+
+// Both ends of the bounding box in x rise by a tenth of the size.
+Changed_mesh bent(const Mesh& mesh)
+{
+  const CGAL::Bbox_3 box = PMP::bbox(mesh);
+  const double middle = (box.xmin() + box.xmax()) / 2, half = box.x_span() / 2, height = 0.1 * size_of(mesh);
+  return moved(mesh, [=](const Point& p)
+               { return p + Vector(0, 0, half > 0 ? height * CGAL::square((p.x() - middle) / half) : 0); });
+}
+
+Changed_mesh inside_out(const Mesh& mesh)
+{
+  Mesh other = mesh;
+  PMP::reverse_face_orientations(other);
+  return moved(other, [](const Point& p) { return p; });
+}
+
+// Edges collapse as long as that changes the shape by no more than rounding: few, long triangles are left of flat regions.
+Changed_mesh with_long_triangles(const Mesh& mesh)
+{
+  const double volume = 1e-9 * std::pow(size_of(mesh), 3);
+  Mesh other = mesh;
+  SMS::edge_collapse(other, [most = volume * volume](double cost, const auto&, std::size_t, std::size_t) { return cost > most; });
+  other.collect_garbage();
+  return with_nearest_origins(std::move(other), mesh);
+}
+
 Point rotated(const Point& p)
 {
   constexpr double c = 0.8, s = 0.6; // a rotation about z, then one about x
@@ -219,6 +279,11 @@ std::vector<Change_of_mesh> all_changes_of_mesh()
           scaled("a thousand times the size", 1e3),
           {"three copies", "0", three_copies, [](std::size_t n) { return 3 * n; }},
           {"on a floor", "0", on_a_floor, [](std::size_t n) { return n + 1; }},
+          {"turned inside out", ".03", inside_out},
+          {"bent by a tenth", ".03", bent},
+          {"without underside", ".03", without_underside},
+          {"one side only", ".03", one_side},
+          {"flat regions of long triangles", ".03", with_long_triangles},
           {"without one face", "-", without_a_face},
           {"vertices moved by 1 % of an edge", ".015", [](const Mesh& mesh) { return jittered(mesh, 0.01 * mean_edge_length(mesh)); }},
           {"noise of 0.1 % of the size", "-", [](const Mesh& mesh) { return jittered(mesh, 0.001 * size_of(mesh)); }},
