@@ -38,6 +38,10 @@ content() # FILE
   Quality/second_results.md)
     princeton "Quality: second benchmark" --folder second_benchmark --classes People=1-200,Rigged=201-300 --by-class \
       --methods "$(methods_like "Minimum-cut-automatic|$peers")" ;;
+  Quality/random_results.md)
+    [[ -d random_shapes ]] || "$build/make_random_shapes" random_shapes --of-each-kind 40 --seed 1000 > /dev/null
+    princeton "Quality: random shapes whose parts are known" --folder random_shapes --by-class \
+      --methods Minimum-cut,Minimum-cut-automatic,Paper-GD,Paper-GD-automatic ;;
   Quality/ablation.md)
     princeton "Quality: the default method without one ingredient" --folder psb --models 4-396/8 \
       --methods "$(methods_like "Without-.*")" ;;
@@ -76,7 +80,7 @@ content() # FILE
 }
 
 if [[ $# == 0 ]]; then
-  set -- Quality/{results,second_results,ablation,distances,remeshing,border_probabilities,cut_weights}.md \
+  set -- Quality/{results,second_results,random_results,ablation,distances,remeshing,border_probabilities,cut_weights}.md \
     {Performance,Invariance,Robustness}/results.md
 fi
 for file; do

@@ -121,8 +121,8 @@ void what_is_open()
   CGAL_CHECK(!is_open(to_surface(icosphere(2))));
 }
 
-// Near the border of a half sphere normals lean outwards along the surface, whichever side they point to; far away by less.
-void normals_lean_at_the_border()
+// The roof over a half sphere falls towards the border, whichever side normals point to, and by less far away.
+void a_roof_falls_towards_the_border()
 {
   Test_mesh half = icosphere(4);
   half.faces.erase(std::remove_if(half.faces.begin(), half.faces.end(),
@@ -132,21 +132,21 @@ void normals_lean_at_the_border()
                                                        { return half.points[v][2] < 0; });
                                   }),
                    half.faces.end());
-  for (const double outward : {1., -1.})
+  for (const Test_mesh& mesh : {half, with_reversed_orientation(half)})
   {
-    const Indexed_surface surface = to_surface(outward > 0 ? half : with_reversed_orientation(half));
+    const Indexed_surface surface = to_surface(mesh);
     const auto graph = seam_graph(surface);
     const auto centre = centres(surface);
-    const auto own = CGAL::Protrusion_segmentation::internal::average_normals(surface, graph, centre, quiet_execution());
-    const auto normals = CGAL::Protrusion_segmentation::internal::Border_roof(surface, quiet_execution())(
-      graph, centre, outward, own);
+    const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(surface, graph, centre, quiet_execution());
+    const auto roof =
+      CGAL::Protrusion_segmentation::internal::Border_roof(surface, quiet_execution())(graph, centre, normals);
     for (Index f = 0; f < surface.number_of_faces(); ++f)
     {
       const double height = surface.centroid(f).z();
       if (height < 0.1)
-        CGAL_CHECK(outward * normals[f][2] < height - 0.3);
-      if (height > 0.9)
-        CGAL_CHECK_CLOSE(outward * normals[f][2], height, 0.15);
+        CGAL_CHECK(roof[f][2] < -1);
+      if (height > 0.98)
+        CGAL_CHECK(std::abs(roof[f][2]) < 0.1);
     }
   }
 }
@@ -179,20 +179,16 @@ void arms_are_parts()
   check_parts(flat_dumbbell(), segmentation(flat_dumbbell()), least_share);
 }
 
-// Arms that taper, of a sheet with a jagged outline, are neither cut in two nor left with the disk: of 23 of 24 stars.
+// Arms that taper, of a sheet with a jagged outline, are neither cut in two nor left with the disk.
 void tapering_arms_are_whole()
 {
-  int right = 0;
   for (const int arms : {3, 4, 5})
     for (const int cells : {64, 90, 120, 140})
-      for (const double turned : {0.13, 0.4})
-      {
-        const Test_mesh mesh =
-          star_with_arms(arms, cells, 0.4, turned, [](double r) { return 0.17 - 0.11 * (r - 0.4) / 0.55; });
-        const Segmentation found = segmentation(mesh);
-        right += found.number == number_of_parts(mesh) && share_in_true_parts(mesh, found.labels) > 0.9;
-      }
-  CGAL_CHECK(right >= 23);
+    {
+      const Test_mesh mesh =
+        star_with_arms(arms, cells, 0.4, 0.13, [](double r) { return 0.17 - 0.11 * (r - 0.4) / 0.55; });
+      check_parts(mesh, segmentation(mesh), 0.9);
+    }
 }
 
 // A figure with a head, arms and legs, whose parts are not alike.
@@ -270,7 +266,7 @@ int main()
 {
   normals_of_a_sphere_point_outward();
   what_is_open();
-  normals_lean_at_the_border();
+  a_roof_falls_towards_the_border();
   no_parts_without_concave_corners();
   arms_are_parts();
   tapering_arms_are_whole();

@@ -157,23 +157,22 @@ public:
   {
     graph.outward = signed_volume(m_surface, m_execution.is_parallel()) < 0 ? -1 : 1;
     const Triples normals = average_normals(m_surface, graph, centre, m_execution);
-    Triples roof; // what it adds to an open surface are seams
+    Triples roof; // of an open surface
     if (is_open(m_surface))
-      roof = Border_roof(m_surface, m_execution)(graph, centre, graph.outward, normals);
+      roof = Border_roof(m_surface, m_execution)(graph, centre, normals);
     for (std::vector<float>* weights : {&graph.curvature, &graph.concave_length, &graph.capacity})
       weights->resize(graph.target.size());
     for_each_number(graph.number_of_nodes(), m_execution.is_parallel(),
                     [&](Index f)
                     {
                       for (Index arc : graph.arcs(f))
-                      {
-                        const double own = curvature(graph, f, arc, normals);
-                        weigh(graph, arc, roof.empty() ? own : (std::max)(own, curvature(graph, f, arc, roof)));
-                      }
+                        weigh(graph, arc, curvature(graph, f, arc, normals) + (roof.empty() ? 0 : valley(graph, f, arc, roof)));
                     });
   }
 
 private:
+  static constexpr double largest_curvature = 60; // beyond it, a radius of 1/60, is tessellation
+
   // Between the normals of two faces, positive where these lean towards each other.
   double angle(Index f, Index g, const Triples& normals) const
   {
@@ -187,7 +186,6 @@ private:
   // Of an arc, positive where concave. Where two patches meet there is a seam, and less of one inside a patch.
   double curvature(const Seam_graph& graph, Index f, Index arc, const Triples& normals) const
   {
-    constexpr double largest_curvature = 60; // beyond it, a radius of 1/60, is tessellation
     constexpr double curvature_between_patches = 15, share_in_patch = 0.5; // decisions.md, "Contacts"
     const Index g = graph.target[arc];
     const double angle = graph.outward * this->angle(f, g, normals);
@@ -197,6 +195,17 @@ private:
       return curvature;
     return m_surface.patch(f) == m_surface.patch(g) ? share_in_patch * curvature
                                                     : (std::max)(curvature, curvature_between_patches);
+  }
+
+  // The curvature of the roof across an arc, positive where it falls from both faces towards each other.
+  double valley(const Seam_graph& graph, Index f, Index arc, const Triples& roof) const
+  {
+    const Index g = graph.target[arc];
+    const Triple &p = roof[f], &q = roof[g];
+    const Indexed_surface::Vector_3 turn(p[0] - q[0], p[1] - q[1], p[2] - q[2]), step = m_surface.centroid(g) - m_surface.centroid(f);
+    const double length = std::sqrt(step.squared_length());
+    const double curvature = length > 0 ? turn * step / length / graph.length[arc] : 0;
+    return (std::max)(-largest_curvature, (std::min)(largest_curvature, curvature));
   }
 
   void weigh(Seam_graph& graph, Index arc, double curvature) const
