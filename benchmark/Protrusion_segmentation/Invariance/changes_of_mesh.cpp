@@ -224,7 +224,7 @@ Changed_mesh one_side(const Mesh& mesh)
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   const double spans[] = {box.x_span(), box.y_span(), box.z_span()};
   const int axis = int(std::min_element(spans, spans + 3) - spans);
-  const double middle = (box.min(axis) + box.max(axis)) / 2;
+  const double middle = ((box.min)(axis) + (box.max)(axis)) / 2;
   return part_with(mesh, [axis, middle](const Point& p) { return p[axis] > middle; });
 }
 
