@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "changes_of_mesh.h"
+#include "Face_distance_graph.h"
 #include "other_triangles.h"
 
 #include <CGAL/Polygon_mesh_processing/bbox.h>
@@ -47,6 +48,13 @@ std::vector<Face> faces_in_order(const Mesh& mesh)
   return {mesh.faces().begin(), mesh.faces().end()};
 }
 
+Changed_mesh with_faces(const Mesh& mesh, const std::vector<Face>& faces)
+{
+  Changed_mesh result;
+  add_copy(mesh, faces, 0, [](const Point& p) { return p; }, result);
+  return result;
+}
+
 template <typename Move>
 Changed_mesh moved(const Mesh& mesh, Move move)
 {
@@ -82,16 +90,21 @@ Changed_mesh jittered(const Mesh& mesh, double distance)
     const double x = step(), y = step(), z = step();
     other.point(v) += Vector(x, y, z);
   }
-  return moved(other, [](const Point& p) { return p; });
+  return with_faces(other, faces_in_order(other));
 }
 
 Changed_mesh permuted(const Mesh& mesh)
 {
   std::vector<Face> order = faces_in_order(mesh);
   std::shuffle(order.begin(), order.end(), std::mt19937(1));
-  Changed_mesh result;
-  add_copy(mesh, order, 0, [](const Point& p) { return p; }, result);
-  return result;
+  return with_faces(mesh, order);
+}
+
+Changed_mesh inside_out(const Mesh& mesh)
+{
+  Mesh other = mesh;
+  PMP::reverse_face_orientations(other);
+  return with_faces(other, faces_in_order(other));
 }
 
 Changed_mesh mirrored(const Mesh& mesh)
@@ -99,8 +112,7 @@ Changed_mesh mirrored(const Mesh& mesh)
   Mesh other = mesh;
   for (const Vertex v : other.vertices())
     other.point(v) = Point(-mesh.point(v).x(), mesh.point(v).y(), mesh.point(v).z());
-  PMP::reverse_face_orientations(other);
-  return moved(other, [](const Point& p) { return p; });
+  return inside_out(other);
 }
 
 Changed_mesh split_at_midpoints(const Changed_mesh& input)
@@ -166,7 +178,7 @@ Changed_mesh on_a_floor(const Mesh& mesh)
   constexpr std::size_t quads = 20;
   const CGAL::Bbox_3 box = PMP::bbox(mesh);
   const double side = 3 * size_of(mesh);
-  Changed_mesh result = moved(mesh, [](const Point& p) { return p; });
+  Changed_mesh result = with_faces(mesh, faces_in_order(mesh));
   std::vector<Vertex> vertices;
   for (std::size_t i = 0; i <= quads; ++i)
     for (std::size_t j = 0; j <= quads; ++j)
@@ -189,25 +201,18 @@ Changed_mesh without_a_face(const Mesh& mesh)
 {
   std::vector<Face> order = faces_in_order(mesh);
   order.erase(order.begin() + std::ptrdiff_t(order.size() / 2));
-  Changed_mesh result;
-  add_copy(mesh, order, 0, [](const Point& p) { return p; }, result);
-  return result;
+  return with_faces(mesh, order);
 }
 
-// The triangles for whose centroids a predicate holds.
+// The faces for whose centroids a predicate holds.
 template <typename Predicate>
 Changed_mesh part_with(const Mesh& mesh, Predicate predicate)
 {
   std::vector<Face> faces;
   for (const Face f : mesh.faces())
-  {
-    const auto h = mesh.halfedge(f);
-    if (predicate(CGAL::centroid(mesh.point(mesh.source(h)), mesh.point(mesh.target(h)), mesh.point(mesh.target(mesh.next(h))))))
+    if (predicate(face_centroid(mesh, f)))
       faces.push_back(f);
-  }
-  Changed_mesh result;
-  add_copy(mesh, faces, 0, [](const Point& p) { return p; }, result);
-  return result;
+  return with_faces(mesh, faces);
 }
 
 // Without the lowest twentieth of the height.
@@ -237,13 +242,6 @@ Changed_mesh bent(const Mesh& mesh)
                { return p + Vector(0, 0, half > 0 ? height * CGAL::square((p.x() - middle) / half) : 0); });
 }
 
-Changed_mesh inside_out(const Mesh& mesh)
-{
-  Mesh other = mesh;
-  PMP::reverse_face_orientations(other);
-  return moved(other, [](const Point& p) { return p; });
-}
-
 // Edges collapse as long as that changes the shape by no more than rounding: few, long triangles are left of flat regions.
 Changed_mesh with_long_triangles(const Mesh& mesh)
 {
@@ -271,7 +269,7 @@ Change_of_mesh scaled(const std::string& name, double factor)
 
 std::vector<Change_of_mesh> all_changes_of_mesh()
 {
-  const auto split = [](const Mesh& mesh) { return split_at_midpoints(moved(mesh, [](const Point& p) { return p; })); };
+  const auto split = [](const Mesh& mesh) { return split_at_midpoints(with_faces(mesh, faces_in_order(mesh))); };
   return {{"faces and vertices permuted", "0", permuted},
           {"rotated", "0", [](const Mesh& mesh) { return moved(mesh, rotated); }},
           {"mirrored", "0", mirrored},
