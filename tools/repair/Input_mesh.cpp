@@ -160,9 +160,34 @@ bool build_sound_mesh(Input_mesh& input, std::optional<double> tolerance)
   return true;
 }
 
-// Turns over the closed components that are inside out, with the walls of their cavities. Returns their number.
-std::size_t turn_outward(Mesh& mesh)
+// Of a mesh in one piece.
+bool is_inside_out(const Mesh& mesh)
 {
+  if (!CGAL::is_closed(mesh))
+    return false;
+  std::vector<Point> points(mesh.points().begin(), mesh.points().end()), corners;
+  internal::scale_to_unit(points);
+  internal::Signed_volume volume;
+  for (const Face face : mesh.faces())
+  {
+    corners.clear();
+    for (const Vertex v : mesh.vertices_around_face(mesh.halfedge(face)))
+      corners.push_back(points[v]);
+    volume.add(corners);
+  }
+  return volume.orientation() < 0;
+}
+
+// Turns over the closed components that are inside out, with the walls of their cavities. Returns their number.
+std::size_t turn_outward(Mesh& mesh, std::size_t number_of_components)
+{
+  if (number_of_components == 1) // the most frequent ones, and the largest
+  {
+    const bool is_turned = is_inside_out(mesh);
+    if (is_turned)
+      CGAL::Polygon_mesh_processing::reverse_face_orientations(mesh);
+    return is_turned ? 1 : 0;
+  }
   internal::Surface_arrays surface = internal::read_arrays(mesh, CGAL::parameters::default_values());
   internal::scale_to_unit(surface.points);
   const std::vector<internal::Surface_arrays::Index> components = internal::components_of_faces(surface);
@@ -225,7 +250,7 @@ Input_mesh make_input_mesh(Polygon_soup soup, std::optional<double> tolerance)
     input.point_of_vertex = std::move(result.point_of_vertex);
     input.repairs = result.repairs;
   }
-  input.inside_out_components = turn_outward(input.mesh);
+  input.inside_out_components = turn_outward(input.mesh, input.repairs.components);
   return input;
 }
 

@@ -98,7 +98,7 @@ std::string note_on_small_components(const Findings& findings)
 
 std::string note_on_pieces(const Findings& findings)
 {
-  if (findings.options.are_pieces_joined)
+  if (findings.options.are_pieces_joined || findings.mesh.repairs.components < 2)
     return "";
   const auto [touching, all] = touching_components(findings.mesh.mesh);
   return touching == 0 ? "" : std::to_string(touching) + " of " + std::to_string(all) +

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -72,6 +73,34 @@ private:
   Mesh m_mesh;
   std::vector<Index> m_faces; // of the triangles
   Side::AABB_tree m_tree;
+};
+
+// The signed volume of a closed component, of which the corners of all faces are added. Coordinates are at most 1.
+class Signed_volume
+{
+public:
+  template <typename Corners>
+  void add(const Corners& corners)
+  {
+    if (!m_origin)
+      m_origin = corners[0];
+    const double v = (corners[0] - *m_origin) * polygon_area_vector(corners) / 3;
+    m_volume += v;
+    m_sum += std::abs(v);
+  }
+
+  // 1 if the faces look outward, -1 if inward, 0 if there is no volume.
+  int orientation() const
+  {
+    constexpr double least_share = 1e-6; // of what is summed; rounding gives less
+    return std::abs(m_volume) <= least_share * m_sum ? 0 : m_volume > 0 ? 1 : -1;
+  }
+
+  double volume() const { return m_volume; }
+
+private:
+  std::optional<Indexed_surface::Point_3> m_origin;
+  double m_volume = 0, m_sum = 0;
 };
 
 // How the components of a surface lie inside each other.
@@ -127,27 +156,19 @@ public:
 private:
   using Box = Box_intersection_d::Box_with_info_d<double, 3, Index>;
 
-  // Its orientation is 1 if it is closed with its faces outward, -1 if inward, 0 if it is open or has no volume.
+  // An open component has no orientation.
   void measure(Index c)
   {
-    constexpr double least_share = 1e-6; // of what is summed; rounding gives less
-    const Indexed_surface::Point_3 origin = m_surface.point(
-      m_surface.vertex(m_surface.first_corner(m_faces[c].front())));
-    double volume = 0, sum = 0;
+    Signed_volume volume;
     for (const Index f : m_faces[c])
     {
-      const Corners_of_face<Surface_arrays> corners = {m_surface, f};
-      const double v = (corners[0] - origin) * polygon_area_vector(corners) / 3;
-      volume += v;
-      sum += std::abs(v);
+      volume.add(Corners_of_face<Surface_arrays>{m_surface, f});
       for (Index corner = m_surface.first_corner(f); corner < m_surface.first_corner(f + 1); ++corner)
         if (m_surface.neighbor(corner) == Indexed_surface::no_face())
           return;
     }
-    if (std::abs(volume) <= least_share * sum)
-      return;
-    m_orientation[c] = volume > 0 ? 1 : -1;
-    m_volume[c] = std::abs(volume);
+    m_orientation[c] = volume.orientation();
+    m_volume[c] = std::abs(volume.volume());
   }
 
   // Without components that look inward beside others that look outward there is nothing to be found.
