@@ -19,7 +19,7 @@ endif()
 function(protrusion_precompile set options)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${set}.cpp CONTENT "")
   add_library(precompiled_${set} OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/precompiled_${set}.cpp)
-  target_link_libraries(precompiled_${set} PRIVATE protrusion_program CGAL::Data)
+  target_link_libraries(precompiled_${set} PRIVATE protrusion_program)
   target_compile_options(precompiled_${set} PRIVATE -fpch-preprocess ${options}) # ccache demands the first
   target_precompile_headers(precompiled_${set} PRIVATE ${ARGN})
 endfunction()

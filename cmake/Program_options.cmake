@@ -8,7 +8,8 @@ if(PROTRUSION_SEGMENTATION_WITH_TBB)
 endif()
 
 add_library(protrusion_program INTERFACE)
-target_link_libraries(protrusion_program INTERFACE CGAL::Protrusion_segmentation)
+# CGAL::Data: a definition if there is a folder data beside or above the project. What shares precompiled headers needs the same.
+target_link_libraries(protrusion_program INTERFACE CGAL::Protrusion_segmentation CGAL::Data)
 foreach(component ${components})
   protrusion_segmentation_find_component(${component})
   if(Protrusion_segmentation_${component}_FOUND)
