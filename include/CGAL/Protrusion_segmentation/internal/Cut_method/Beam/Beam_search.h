@@ -67,8 +67,8 @@ public:
     return &m_best[number_of_segments - 1];
   }
 
-  // One if none of the cuts is distinct: a tube is one piece, however it is bent. `step(n)` makes an object that lives while
-  // segment n + 1 is looked for.
+  // One if hardly any of the cuts is distinct: a tube is one piece, however it is bent. `step(n)` makes an object that lives
+  // while segment n + 1 is looked for.
   template <typename Step>
   std::size_t automatic_number(Step step)
   {
@@ -79,9 +79,7 @@ public:
         return best_protrusions(n + 1) ? std::optional<double>(gain(n + 1)) : std::nullopt;
       },
       m_options);
-    const std::vector<Cut_set::Made_cut>& cuts = best(number)->cuts;
-    const bool is_tube = std::none_of(cuts.begin(), cuts.end(), [](const Cut_set::Made_cut& cut) { return cut.is_distinct; });
-    return is_tube ? 1 : number;
+    return has_distinct_cuts(*best(number)) ? number : 1;
   }
 
   // What the last of a number of segments gains, of those that were asked for.
@@ -92,6 +90,18 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  static bool has_distinct_cuts(const Cut_set& set)
+  {
+    constexpr double least_share = 0.15; // of the value: one cut in a rough tube may be distinct by chance
+    double of_distinct = 0, of_all = 0;
+    for (const Cut_set::Made_cut& cut : set.cuts)
+    {
+      of_all += cut.value;
+      of_distinct += cut.is_distinct ? cut.value : 0;
+    }
+    return of_distinct > least_share * of_all;
+  }
 
   // A further cut of a set, one of a segment's cuts, and the value of the set with it.
   struct Choice
