@@ -9,13 +9,13 @@
 set -euo pipefail
 
 build=$(realpath "$1")/benchmark/Protrusion_segmentation
+results=$(realpath "$(dirname "${BASH_SOURCE[0]}")")/../benchmark/Protrusion_segmentation
 cd "$2"
 shift 2
-results=$(realpath "$(dirname "${BASH_SOURCE[0]}")")/../benchmark/Protrusion_segmentation
 
 princeton() # TITLE OPTION...
 {
-  "$build/princeton_benchmark" --title "$1" "${@:2}"
+  "$build/princeton_benchmark" --title "$1" "${@:2}" --threads 2
 }
 
 # The default method, and those whose names match.
