@@ -11,6 +11,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Repair/near_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Signed_volume.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/nested_components.h>
 #include <CGAL/Protrusion_segmentation/polygon_soup_to_manifold_mesh.h>
 

@@ -78,11 +78,7 @@ Touching_components touching_components(const Mesh& mesh)
   internal::Surface_arrays surface = internal::read_arrays(mesh, CGAL::parameters::default_values());
   internal::scale_to_unit(surface.points);
   const std::vector<std::uint32_t> components = internal::components_of_faces(surface);
-  const std::size_t number = components.empty()
-                               ? 0
-                               : 1 + *std::max_element(components.begin(), components.end());
-  if (number < 2)
-    return {0, number};
+  const std::size_t number = 1 + *std::max_element(components.begin(), components.end());
   const auto triangles = triangles_in_question(surface, components,
                                                may_touch(surface, components, number));
   std::vector<Box> boxes;

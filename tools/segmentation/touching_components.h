@@ -17,6 +17,7 @@ struct Touching_components
   std::size_t all = 0;
 };
 
+// Of a mesh with faces.
 Touching_components touching_components(const Mesh& mesh);
 
 } // namespace tool

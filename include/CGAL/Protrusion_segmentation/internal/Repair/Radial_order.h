@@ -7,12 +7,12 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Repair/Parity_sets.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Signed_volume.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -40,22 +40,18 @@ inline std::vector<bool> are_inside_out(const std::vector<Polygon_soup::Point_3>
                                         const std::vector<std::size_t>& sets,
                                         std::size_t number_of_sets)
 {
-  // Sums of zero are rounded to less, as those of surfaces of which each polygon is there both ways.
-  constexpr double least_share = 1e-6;
-  std::vector<double> volume(number_of_sets, 0), sum(number_of_sets, 0);
-  std::vector<std::size_t> origin(number_of_sets, points.size()); // a point of each set
+  std::vector<Signed_volume> volumes(number_of_sets);
+  std::vector<Polygon_soup::Point_3> corners;
   for (std::size_t i = 0; i < polygons.size(); ++i)
   {
-    const std::size_t corner = polygons[i].front(), s = sets[i];
-    if (origin[s] == points.size())
-      origin[s] = corner;
-    const double v = (points[corner] - points[origin[s]]) * area_vector(points, polygons[i]);
-    volume[s] += v;
-    sum[s] += std::abs(v);
+    corners.clear();
+    for (const std::size_t corner : polygons[i])
+      corners.push_back(points[corner]);
+    volumes[sets[i]].add(corners);
   }
   std::vector<bool> result;
   for (const std::size_t s : sets)
-    result.push_back(volume[s] < -least_share * sum[s]);
+    result.push_back(volumes[s].orientation() < 0);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_NESTED_COMPONENTS_H
 
 #include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Signed_volume.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
@@ -22,7 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <optional>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -73,34 +73,6 @@ private:
   Mesh m_mesh;
   std::vector<Index> m_faces; // of the triangles
   Side::AABB_tree m_tree;
-};
-
-// The signed volume of a closed component, of which the corners of all faces are added. Coordinates are at most 1.
-class Signed_volume
-{
-public:
-  template <typename Corners>
-  void add(const Corners& corners)
-  {
-    if (!m_origin)
-      m_origin = corners[0];
-    const double v = (corners[0] - *m_origin) * polygon_area_vector(corners) / 3;
-    m_volume += v;
-    m_sum += std::abs(v);
-  }
-
-  // 1 if the faces look outward, -1 if inward, 0 if there is no volume.
-  int orientation() const
-  {
-    constexpr double least_share = 1e-6; // of what is summed; rounding gives less
-    return std::abs(m_volume) <= least_share * m_sum ? 0 : m_volume > 0 ? 1 : -1;
-  }
-
-  double volume() const { return m_volume; }
-
-private:
-  std::optional<Indexed_surface::Point_3> m_origin;
-  double m_volume = 0, m_sum = 0;
 };
 
 // How the components of a surface lie inside each other.
