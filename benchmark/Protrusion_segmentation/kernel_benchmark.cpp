@@ -6,7 +6,7 @@
 //
 //   kernel_benchmark [--benchmark_filter=REGEX] [--benchmark_repetitions=N]
 
-#include "sphere.h"
+#include "Performance/sphere.h"
 
 #include <CGAL/Protrusion_segmentation/Landmark_geodesic_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Largest_sum/largest_distance_sum.h>
