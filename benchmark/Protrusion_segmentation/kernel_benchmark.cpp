@@ -20,7 +20,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include <boost/graph/dijkstra_shortest_paths.hpp>
+#include <boost/graph/dijkstra_shortest_paths_no_color_map.hpp>
 
 #include <algorithm>
 #include <cmath>
