@@ -102,6 +102,24 @@ void bent_tubes_are_whole()
 }
 
 // A face keeps its segment, or gets the nearest ancestor of it that is left: the segments nest.
+Test_mesh table(int length, int height_of_legs)
+{
+  Cubes cubes;
+  add_cubes(cubes, {0, 0, height_of_legs}, {length, 20, height_of_legs + 2});
+  for (const int x : {1, length - 3})
+    for (const int y : {1, 17})
+      add_cubes(cubes, {x, y, 0}, {x + 2, y + 2, height_of_legs});
+  return voxels(cubes);
+}
+
+// A leg that is cut off a row of faces below its top leaves a ring, around which the same seam would be cut again.
+void a_seam_is_cut_once()
+{
+  for (const int length : {24, 32, 40})
+    for (const int height_of_legs : {10, 14, 17, 20, 24, 30})
+      CGAL_CHECK_EQUAL(automatic_segmentation(table(length, height_of_legs)).number, 5);
+}
+
 void check_coarser(const PS::Segment_hierarchy& hierarchy,
                    std::size_t k,
                    const Labels& finest,
@@ -219,6 +237,7 @@ int main()
   evident_protrusions_are_counted_without_a_number();
   smooth_tubes_are_whole();
   bent_tubes_are_whole();
+  a_seam_is_cut_once();
   the_hierarchy_holds_nested_segmentations();
   tips_of_a_user_are_cut_off();
   other_distances_serve_the_search();

@@ -129,6 +129,10 @@ inline double probability_of_border(double log_odds)
   return logistic(probability_bias + probability_slope * log_odds);
 }
 
+// Over what radius normals are averaged, in units of the square root of the area, and how wide seams are by that. Of normals,
+// between .015 and .05 without effect.
+constexpr double normal_radius = 0.03;
+
 // A side of a cut with a smaller share of the surface is a detail of the mesh and no segment of the shape.
 constexpr double least_area_of_segment = 0.0025;
 

@@ -65,7 +65,7 @@ public:
   {}
 
   // The cut around connected nodes of a segment, the other side made connected as well. The minimum cut near it takes its place if that is
-  // cheaper for the areas of its sides. There is none if a side is too small to be a segment.
+  // cheaper for the areas of its sides. There is none if a side is too small or too narrow to be a segment.
   std::optional<Cut> cut_around(const Segment& segment, const Nodes& nodes)
   {
     Bisection bisection(m_partition, segment);
@@ -74,10 +74,13 @@ public:
     move_to_minimum_cut(bisection);
     if (!bisection.has_large_sides())
       return std::nullopt;
+    Clues_of_cut clues(m_graph, bisection);
+    if (clues.is_band_in_seam())
+      return std::nullopt;
     Cut cut;
     cut.inner = bisection.inner();
     cut.root_of_areas = std::sqrt(bisection.inner_area() * (segment.area - bisection.inner_area()));
-    cut.clues = Clues_of_cut(m_graph, bisection)(m_strips);
+    cut.clues = clues(m_strips);
     value_by_clues(m_options.weights, cut);
     return cut;
   }

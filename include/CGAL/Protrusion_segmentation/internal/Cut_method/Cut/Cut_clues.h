@@ -121,6 +121,13 @@ public:
     measure_smaller_side();
   }
 
+  // Whether the smaller side is a band between the cut and earlier ones that is narrower than a seam is wide: then both lie in
+  // the same seam.
+  bool is_band_in_seam() const
+  {
+    return 2 * m_earlier_length > m_length && 2 * m_smaller_area < normal_radius * (m_length + m_earlier_length);
+  }
+
   Cut_clues operator()(Strip_measurer& measure_strip)
   {
     const auto [along_inside, along_outside] = m_bisection.partition().nodes_along_cut(m_bisection.inner());

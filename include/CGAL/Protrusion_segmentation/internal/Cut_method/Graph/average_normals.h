@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/diffusion.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
@@ -108,8 +109,6 @@ private:
 inline Triples
 average_normals(const Indexed_surface& surface, const Dual_graph& graph, const Centres& centre, Execution& execution)
 {
-  // in units of the square root of the area; between .015 and .05 without effect
-  constexpr double normal_radius = 0.03;
   Triples normals(surface.number_of_faces(), {0, 0, 0});
   for_each_number(normals.size(), execution.is_parallel(),
                   [&](Indexed_surface::Index f)
