@@ -101,7 +101,6 @@ void bent_tubes_are_whole()
       CGAL_CHECK_EQUAL(automatic_segmentation(jittered(tube, 0.02, seed)).number, 1);
 }
 
-// A face keeps its segment, or gets the nearest ancestor of it that is left: the segments nest.
 Test_mesh table(int length, int height_of_legs)
 {
   Cubes cubes;
@@ -120,6 +119,7 @@ void a_seam_is_cut_once()
       CGAL_CHECK_EQUAL(automatic_segmentation(table(length, height_of_legs)).number, 5);
 }
 
+// A face keeps its segment, or gets the nearest ancestor of it that is left: the segments nest.
 void check_coarser(const PS::Segment_hierarchy& hierarchy,
                    std::size_t k,
                    const Labels& finest,
