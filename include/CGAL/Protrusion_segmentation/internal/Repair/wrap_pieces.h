@@ -11,10 +11,12 @@
 #include <CGAL/Protrusion_segmentation/internal/Repair/Radial_order.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/manifold_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/near_pieces.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Solid.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/nested_components.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <CGAL/Bbox_3.h>
+#include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
 
@@ -58,6 +60,46 @@ inline Surface_arrays arrays_of(const std::vector<Polygon_soup::Point_3>& points
   return arrays;
 }
 
+// Finds the nearest of polygons, by the triangles of each.
+class Nearest_polygon
+{
+public:
+  using Index = Surface_arrays::Index;
+
+  // `polygons` in the order in which the first of several nearest ones is chosen
+  Nearest_polygon(const Surface_arrays& surface, const std::vector<Index>& polygons)
+  {
+    for (const Index i : polygons)
+      for (Index c = surface.first_corner(i) + 1; c + 1 < surface.first_corner(i + 1); ++c)
+      {
+        const auto point = [&](Index corner) { return exact(surface.point(surface.vertex(corner))); };
+        const Kernel::Point_3 p = point(surface.first_corner(i)), q = point(c), r = point(c + 1);
+        if (collinear(p, q, r))
+          continue;
+        // Triangles that share no vertices are enough, and any polygon gives some.
+        m_mesh.add_face(m_mesh.add_vertex(p), m_mesh.add_vertex(q), m_mesh.add_vertex(r));
+        m_polygons.push_back(i);
+      }
+    m_tree.insert(m_mesh.faces_begin(), m_mesh.faces_end(), m_mesh);
+    m_tree.build();
+  }
+
+  Index operator()(const Polygon_soup::Point_3& point) const
+  {
+    return m_polygons[m_tree.closest_point_and_primitive(exact(point)).second];
+  }
+
+private:
+  using Kernel = Soup_kernel;
+  using Mesh = Surface_mesh<Kernel::Point_3>;
+
+  static Kernel::Point_3 exact(const Polygon_soup::Point_3& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); }
+
+  Mesh m_mesh;
+  std::vector<Index> m_polygons; // of the triangles
+  Side_of_triangle_mesh<Mesh, Kernel>::AABB_tree m_tree;
+};
+
 // Wraps shapes one by one, in a soup of unit size. Surfaces may overlap where shapes are near to each other.
 class Shape_wrapper
 {
@@ -89,8 +131,7 @@ public:
       throw std::invalid_argument("polygons: none has an area");
     for (const std::size_t i : polygons)
       if (!m_soup.polygons[i].empty())
-        m_result.surface.face_of_polygon[i] = shape->first_face +
-                                              shape->solid.nearest_face(centroid(m_arrays, Index(i)));
+        m_result.surface.face_of_polygon[i] = shape->first_face + shape->nearest(centroid(m_arrays, Index(i)));
   }
 
 private:
@@ -101,16 +142,22 @@ private:
   {
     Shape(const Surface_arrays& surface, std::size_t first)
       : first_face(first),
+        nearest(surface, all_faces(surface)),
         solid(surface, all_faces(surface))
     {
       for (const Polygon_soup::Point_3& p : surface.points)
         box += p.bbox();
     }
-    bool has_inside(const Polygon_soup::Point_3& p) const
+    bool has_inside(const std::vector<Polygon_soup::Point_3>& points) const
     {
-      return do_overlap(box, p.bbox()) && solid.side(p) == ON_BOUNDED_SIDE;
+      for (const Polygon_soup::Point_3& p : points)
+        if (!do_overlap(box, p.bbox()))
+          return false;
+      const std::vector<Bounded_side> sides = solid.sides(points);
+      return std::count(sides.begin(), sides.end(), ON_BOUNDED_SIDE) == std::ptrdiff_t(sides.size());
     }
     std::size_t first_face;
+    Nearest_polygon nearest;
     Solid solid;
     Bbox_3 box;
   };
@@ -129,15 +176,12 @@ private:
 
   const Shape* shape_around(const std::vector<std::size_t>& polygons) const
   {
-    const auto is_inside = [&](const Shape& shape)
-    {
-      for (const std::size_t i : polygons)
-        for (const std::size_t corner : m_soup.polygons[i])
-          if (!shape.has_inside(m_soup.points[corner]))
-            return false;
-      return true;
-    };
-    const auto found = std::find_if(m_shapes.begin(), m_shapes.end(), is_inside);
+    std::vector<Polygon_soup::Point_3> corners;
+    for (const std::size_t i : polygons)
+      for (const std::size_t corner : m_soup.polygons[i])
+        corners.push_back(m_soup.points[corner]);
+    const auto found = std::find_if(m_shapes.begin(), m_shapes.end(),
+                                    [&](const Shape& shape) { return shape.has_inside(corners); });
     return found == m_shapes.end() ? nullptr : &*found;
   }
 
@@ -182,9 +226,9 @@ private:
       surface.corner_begin.push_back(static_cast<Index>(surface.corner_vertices.size()));
       m_result.surface.faces.add(face);
     }
-    const Solid pieces(m_arrays, std::vector<Index>(polygons.begin(), polygons.end()));
+    const Nearest_polygon nearest(m_arrays, std::vector<Index>(polygons.begin(), polygons.end()));
     for (Index f = 0; f < surface.number_of_faces(); ++f)
-      m_result.surface.polygon_of_face.push_back(pieces.nearest_face(centroid(surface, f)));
+      m_result.surface.polygon_of_face.push_back(nearest(centroid(surface, f)));
     return m_shapes.emplace_back(surface, first_face);
   }
 

@@ -27,28 +27,37 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// Finds, among given faces, the one with the nearest centroid.
+inline Indexed_surface::Point_3 centroid_of_face(const Surface_arrays& surface, Indexed_surface::Index face)
+{
+  return measure_polygon(Corners_of_face<Surface_arrays>{surface, face}).centroid;
+}
+
+// Finds the nearest of given faces: of those with the nearest centroids, which are all of a small surface.
 class Nearest_face
 {
 public:
   using Index = Indexed_surface::Index;
 
-  Nearest_face(const std::vector<Index>& faces, Scaled_faces& measure)
+  // Coordinates are at most 1. `surface` must outlive the object.
+  template <typename Faces>
+  Nearest_face(const Surface_arrays& surface, const Faces& faces) : m_surface(surface)
   {
-    for (Index i = 0; i < faces.size(); ++i)
-      m_centroids.emplace_back(measure(faces[i]).centroid, i);
+    for (const Index f : faces)
+      m_centroids.emplace_back(centroid_of_face(surface, f), f);
     // Where several are as near, the order decides which one is found: one that does not depend on that of the faces.
     std::sort(m_centroids.begin(), m_centroids.end());
     m_tree.insert(m_centroids.begin(), m_centroids.end());
   }
 
-  // The squared distance, and the position in `faces`, with the centroid in front to decide ties.
+  // The squared distance, and the face, with the centroid in front to decide ties.
   using Found = std::tuple<double, Indexed_surface::Point_3, Index>;
   Found operator()(const Indexed_surface::Point_3& point) const
   {
-    const Search search(m_tree, point, 1);
-    const auto& [centroid, distance] = *search.begin();
-    return {distance, centroid.first, centroid.second};
+    constexpr unsigned int number_of_centroids = 32;
+    Found found((std::numeric_limits<double>::infinity)(), point, Index(0));
+    for (const auto& [centroid, distance] : Search(m_tree, point, number_of_centroids))
+      found = (std::min)(found, Found(squared_distance_to(centroid.second, point), centroid.first, centroid.second));
+    return found;
   }
 
 private:
@@ -58,6 +67,16 @@ private:
                                        Search_traits_3<Simple_cartesian<double>>>;
   using Search = Orthogonal_k_neighbor_search<Traits>;
 
+  double squared_distance_to(Index face, const Indexed_surface::Point_3& point) const
+  {
+    const Corners_of_face<Surface_arrays> corners{m_surface, face};
+    double result = (std::numeric_limits<double>::infinity)();
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+      result = (std::min)(result, CGAL::squared_distance(point, Simple_cartesian<double>::Triangle_3(corners[0], corners[i], corners[i + 1])));
+    return result;
+  }
+
+  const Surface_arrays& m_surface;
   std::vector<Centroid> m_centroids;
   Search::Tree m_tree;
 };
@@ -76,7 +95,7 @@ inline std::vector<Indexed_surface::Index> walls_of_cavities(const Nested_compon
 // Sets, for the faces of the walls of cavities, the nearest of the faces around.
 inline void find_nearest_faces_of_cavities(const Nested_components& nested,
                                            const std::vector<Indexed_surface::Index>& walls,
-                                           Scaled_faces& measure,
+                                           const Surface_arrays& surface,
                                            std::vector<Indexed_surface::Index>& nearest_faces)
 {
   using Index = Indexed_surface::Index;
@@ -86,10 +105,10 @@ inline void find_nearest_faces_of_cavities(const Nested_components& nested,
       cavities[walls[c]].push_back(c);
   for (const auto& [around, walls_in_it] : cavities)
   {
-    const Solid solid = nested.solid(around);
+    const Nearest_face nearest(surface, nested.faces(around));
     for (const Index wall : walls_in_it)
       for (const Index f : nested.faces(wall))
-        nearest_faces[f] = nearest_faces[solid.nearest_face(measure(f).centroid)];
+        nearest_faces[f] = nearest_faces[std::get<Index>(nearest(centroid_of_face(surface, f)))];
   }
 }
 
@@ -97,20 +116,20 @@ inline void find_nearest_faces_of_cavities(const Nested_components& nested,
 inline void find_nearest_faces_of_small_components(const std::vector<Indexed_surface::Index>& component,
                                                    const std::vector<bool>& is_small,
                                                    const std::vector<Indexed_surface::Index>& faces,
-                                                   Scaled_faces& measure,
+                                                   const Surface_arrays& surface,
                                                    std::vector<Indexed_surface::Index>& nearest_faces)
 {
   using Index = Indexed_surface::Index;
-  const Nearest_face nearest(faces, measure);
+  const Nearest_face nearest(surface, faces);
   const Nearest_face::Found none((std::numeric_limits<double>::infinity)(),
                                  Indexed_surface::Point_3(0, 0, 0), Index(0));
   std::vector<Nearest_face::Found> found(is_small.size(), none); // for every small component
   for (Index f = 0; f < component.size(); ++f)
     if (is_small[component[f]])
-      found[component[f]] = (std::min)(found[component[f]], nearest(measure(f).centroid));
+      found[component[f]] = (std::min)(found[component[f]], nearest(centroid_of_face(surface, f)));
   for (Index f = 0; f < component.size(); ++f)
     if (is_small[component[f]])
-      nearest_faces[f] = std::get<Index>(found[component[f]]);
+      nearest_faces[f] = nearest_faces[std::get<Index>(found[component[f]])];
 }
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE Surface_without_small_components
@@ -152,10 +171,9 @@ leave_out_small_components(Surface_arrays surface)
       result.nearest_faces[f] = static_cast<Index>(result.faces.size());
       result.faces.push_back(f);
     }
-  Scaled_faces measure(surface);
-  find_nearest_faces_of_cavities(nested, walls, measure, result.nearest_faces);
+  find_nearest_faces_of_cavities(nested, walls, surface, result.nearest_faces);
   if (result.number_of_small_components > 0)
-    find_nearest_faces_of_small_components(component, is_small, result.faces, measure,
+    find_nearest_faces_of_small_components(component, is_small, result.faces, surface,
                                            result.nearest_faces);
   result.arrays = scale_back(Face_selector<Surface_arrays>(surface)(result.faces));
   return result;

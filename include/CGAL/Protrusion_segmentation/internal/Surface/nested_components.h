@@ -9,71 +9,23 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Signed_volume.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Solid.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Side_of_triangle_mesh.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
-
-// The triangles of a closed component, to be asked which points are inside, and which face is nearest to a point.
-class Solid
-{
-public:
-  using Index = Indexed_surface::Index;
-
-  // `faces` in the order in which the first of several nearest ones is chosen
-  Solid(const Surface_arrays& surface, const std::vector<Index>& faces)
-  {
-    for (const Index f : faces)
-      for (Index c = surface.first_corner(f) + 1; c + 1 < surface.first_corner(f + 1); ++c)
-      {
-        const auto point = [&](Index corner) { return exact(surface.point(surface.vertex(corner))); };
-        const Kernel::Point_3 p = point(surface.first_corner(f)), q = point(c), r = point(c + 1);
-        if (collinear(p, q, r))
-          continue;
-        // Triangles that share no vertices are enough, and any polygon gives some.
-        m_mesh.add_face(m_mesh.add_vertex(p), m_mesh.add_vertex(q), m_mesh.add_vertex(r));
-        m_faces.push_back(f);
-      }
-    m_tree.insert(m_mesh.faces_begin(), m_mesh.faces_end(), m_mesh);
-    m_tree.build();
-  }
-
-  Bounded_side side(const Indexed_surface::Point_3& point) const { return Side(m_tree)(exact(point)); }
-
-  Index nearest_face(const Indexed_surface::Point_3& point) const
-  {
-    return m_faces[m_tree.closest_point_and_primitive(exact(point)).second];
-  }
-
-private:
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  using Mesh = Surface_mesh<Kernel::Point_3>;
-  using Side = Side_of_triangle_mesh<Mesh, Kernel>;
-
-  static Kernel::Point_3 exact(const Indexed_surface::Point_3& p)
-  {
-    return Kernel::Point_3(p.x(), p.y(), p.z());
-  }
-
-  Mesh m_mesh;
-  std::vector<Index> m_faces; // of the triangles
-  Side::AABB_tree m_tree;
-};
 
 // How the components of a surface lie inside each other.
 class Nested_components
@@ -110,19 +62,6 @@ public:
   bool is_inside_out(Index c) const
   {
     return (orientation_in_whole(c) < 0 && m_wall[c] == c) != (m_orientation[outermost(c)] < 0);
-  }
-
-  // In an order that does not depend on that of the faces.
-  Solid solid(Index c) const
-  {
-    std::vector<std::pair<Indexed_surface::Point_3, Index>> centroids;
-    for (const Index f : m_faces[c])
-      centroids.emplace_back(measure_polygon(Corners_of_face<Surface_arrays>{m_surface, f}).centroid, f);
-    std::sort(centroids.begin(), centroids.end());
-    std::vector<Index> faces;
-    for (const auto& [centroid, face] : centroids)
-      faces.push_back(face);
-    return Solid(m_surface, faces);
   }
 
 private:
@@ -165,14 +104,28 @@ private:
     std::vector<std::vector<Index>> inside = std::exchange(
       m_around, std::vector<std::vector<Index>>(m_around.size()));
     for (Index c = 0; c < inside.size(); ++c)
+      if (!inside[c].empty())
+        find_components_inside(c, inside[c]);
+  }
+
+  // Of some that may be. Their corners may touch the solid, but not all of them.
+  void find_components_inside(Index c, const std::vector<Index>& others)
+  {
+    std::vector<Indexed_surface::Point_3> corners;
+    std::vector<Index> component; // of each
+    for (const Index other : others)
     {
-      if (inside[c].empty())
-        continue;
-      const Solid solid = this->solid(c);
-      for (const Index other : inside[c])
-        if (is_inside(other, solid))
-          m_around[other].push_back(c);
+      add_some_corners(other, corners);
+      component.resize(corners.size(), other);
     }
+    const std::vector<Bounded_side> sides = Solid(m_surface, m_faces[c]).sides(corners);
+    std::map<Index, Bounded_side> side; // of each of the others
+    for (std::size_t i = 0; i < sides.size(); ++i)
+      if (Bounded_side& s = side[component[i]]; s != ON_UNBOUNDED_SIDE)
+        s = sides[i] == ON_BOUNDARY ? s : sides[i];
+    for (const Index other : others)
+      if (side[other] == ON_BOUNDED_SIDE)
+        m_around[other].push_back(c);
   }
 
   Bbox_3 box_of(Index c) const
@@ -184,21 +137,12 @@ private:
     return box;
   }
 
-  // Asks a number of its corners. They may touch the solid, but not all of them.
-  bool is_inside(Index c, const Solid& solid) const
+  void add_some_corners(Index c, std::vector<Indexed_surface::Point_3>& corners) const
   {
-    constexpr std::size_t enough_corners = 256;
-    const std::size_t step = 1 + m_faces[c].size() / enough_corners;
-    bool is_any_inside = false;
+    constexpr std::size_t enough = 256;
+    const std::size_t step = 1 + m_faces[c].size() / enough;
     for (std::size_t i = 0; i < m_faces[c].size(); i += step)
-    {
-      const Index f = *(m_faces[c].begin() + std::ptrdiff_t(i));
-      const Bounded_side side = solid.side(m_surface.point(m_surface.vertex(m_surface.first_corner(f))));
-      if (side == ON_UNBOUNDED_SIDE)
-        return false;
-      is_any_inside = is_any_inside || side == ON_BOUNDED_SIDE;
-    }
-    return is_any_inside;
+      corners.push_back(m_surface.point(m_surface.vertex(m_surface.first_corner(*(m_faces[c].begin() + std::ptrdiff_t(i))))));
   }
 
   Index outermost(Index c) const
