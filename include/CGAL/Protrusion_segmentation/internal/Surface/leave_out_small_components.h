@@ -53,7 +53,7 @@ public:
   using Found = std::tuple<double, Indexed_surface::Point_3, Index>;
   Found operator()(const Indexed_surface::Point_3& point) const
   {
-    constexpr unsigned int number_of_centroids = 32;
+    constexpr unsigned int number_of_centroids = 16;
     Found found((std::numeric_limits<double>::infinity)(), point, Index(0));
     for (const auto& [centroid, distance] : Search(m_tree, point, number_of_centroids))
       found = (std::min)(found, Found(squared_distance_to(centroid.second, point), centroid.first, centroid.second));
