@@ -11,6 +11,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <set>
@@ -117,6 +118,32 @@ void a_seam_is_cut_once()
   for (const int length : {24, 32, 40})
     for (const int height_of_legs : {10, 14, 17, 20, 24, 30})
       CGAL_CHECK_EQUAL(automatic_segmentation(table(length, height_of_legs)).number, 5);
+}
+
+// A square plate with four pegs, without its underside.
+Test_mesh open_plate(int width_of_pegs, int edge, int height)
+{
+  constexpr int size = 30, thickness = 2;
+  Cubes cubes;
+  add_cubes(cubes, {0, 0, 0}, {size, size, thickness});
+  for (const int x : {edge, size - edge - width_of_pegs})
+    for (const int y : {edge, size - edge - width_of_pegs})
+      add_cubes(cubes, {x, y, thickness}, {x + width_of_pegs, y + width_of_pegs, height});
+  Test_mesh mesh = voxels(cubes);
+  mesh.faces.erase(std::remove_if(mesh.faces.begin(), mesh.faces.end(), [&](const Face& face) { return centroid(mesh, face)[2] == 0; }),
+                   mesh.faces.end());
+  return mesh;
+}
+
+// The plate between a peg and the edge is narrow, but goes on below the peg: 26 of 30 plates have no segment in a corner.
+void pegs_leave_no_holes_in_an_open_plate()
+{
+  int right = 0;
+  for (const int width_of_pegs : {4, 5, 6})
+    for (const int edge : {2, 3, 4, 5, 6})
+      for (const int height : {15, 25})
+        right += automatic_segmentation(open_plate(width_of_pegs, edge, height)).number == 5;
+  CGAL_CHECK(right >= 26);
 }
 
 // A face keeps its segment, or gets the nearest ancestor of it that is left: the segments nest.
@@ -238,6 +265,7 @@ int main()
   smooth_tubes_are_whole();
   bent_tubes_are_whole();
   a_seam_is_cut_once();
+  pegs_leave_no_holes_in_an_open_plate();
   the_hierarchy_holds_nested_segmentations();
   tips_of_a_user_are_cut_off();
   other_distances_serve_the_search();

@@ -134,13 +134,15 @@ public:
     const Strip_measurer::Cut_measures cut{m_length, m_opening, share_of_sheet()};
     const Cut_strip inside = measure_strip(m_bisection, along_inside, true, cut);
     const Cut_strip outside = measure_strip(m_bisection, along_outside, false, cut);
+    // Earlier cuts leave no holes in a sheet: what is narrow between one and the border of the surface goes on behind it.
+    constexpr double of_earlier = 2; // the same from 1 to 2 but for plates with pegs, decisions.md
     Cut_clues clues;
     clues.concave_share = m_concave_length / m_length;
-    clues.relative_length = std::log(length_around() / std::sqrt(m_smaller_area));
+    clues.relative_length = std::log(length_around(m_length + of_earlier * m_openness * m_earlier_length) / std::sqrt(m_smaller_area));
     clues.segment_size = std::log(m_bisection.segment().area);
     std::tie(clues.smaller_widening, clues.larger_widening) = std::minmax({inside.widening, outside.widening});
     std::tie(clues.smaller_shoulder, clues.larger_shoulder) = std::minmax({inside.shoulder, outside.shoulder});
-    clues.roundness = std::log(4 * CGAL_PI * opening() / CGAL::square(length_around()) + 0.05);
+    clues.roundness = std::log(4 * CGAL_PI * opening() / CGAL::square(length_around(m_length)) + 0.05);
     clues.neighbors = std::log(1 + m_earlier_length / m_length);
     clues.mean_cost = std::log(m_cost / m_length + 0.02);
     const double thickness = 4 * volume() / (m_smaller_area * std::sqrt(opening() + 0.02 * m_smaller_area));
@@ -155,7 +157,7 @@ private:
   // What is divided by a cut that ends at the border of the surface is measured as one half of a round body, of which a cut has a
   // circular opening and cuts off a cylinder. In units of the root of the area of both halves, it is longer by the root of
   // two.
-  double length_around() const { return m_length * (1 + (std::sqrt(2.) - 1) * m_openness); }
+  double length_around(double length) const { return length * (1 + (std::sqrt(2.) - 1) * m_openness); }
   double round_opening() const { return m_openness * CGAL::square(m_length) / (2 * CGAL_PI); }
   // the area of the opening that the cut leaves
   double opening() const { return (std::max)(round_opening(), std::sqrt(m_opening.squared_length())); }
@@ -211,7 +213,7 @@ private:
   double volume() const
   {
     const double volume = m_graph.outward * (m_flux - m_area_vector * m_centre) / 3;
-    const double of_half_cylinder = m_openness * m_smaller_area * length_around() / (4 * CGAL_PI);
+    const double of_half_cylinder = m_openness * m_smaller_area * length_around(m_length) / (4 * CGAL_PI);
     return std::abs(volume) < of_half_cylinder ? of_half_cylinder : volume;
   }
 
