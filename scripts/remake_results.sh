@@ -62,7 +62,7 @@ content() # FILE
   Performance/results.md)
     "$build/performance_benchmark" --folder psb ;;
   Invariance/results.md)
-    "$build/invariance_benchmark" --folder psb/off --every 4 --methods Minimum-cut-automatic,Minimum-cut,Paper-GD ;;
+    "$build/invariance_benchmark" --folder psb/off --every 8 --methods Minimum-cut-automatic,Minimum-cut,Paper-GD ;;
   Robustness/results.md)
     sed '/^## /,$d' "$results/$1"
     "$build/robustness_benchmark" --title "CGAL's demo data" --folder data \

@@ -17,7 +17,7 @@ namespace CGAL::Protrusion_segmentation::internal {
 struct Cut_clues
 {
   double concave_share;    // share of the cut's length that lies in a concave seam
-  double relative_length;  // log of the length relative to the square root of the smaller side's area
+  double relative_length;  // log of the length relative to the square root of the smaller side's area; earlier borders of a sheet count
   double segment_size;     // log of the segment's share of the area of the component
   double larger_widening;  // log of the area of a strip beside the cut relative to a straight one,
   double smaller_widening; // of the two sides
