@@ -11,6 +11,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/diffusion.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,10 @@ private:
   // arms are cut in two.
   static constexpr double radius = 0.15;
 
+  // A border that is shorter, in units of the square root of the area, is that of a hole or of a limb's end and has no roof: it
+  // says nothing of the outline.
+  static constexpr double longest_hole = 0.4;
+
   // Of the roof, for the length of the averaged direction. That falls by e over a quarter of the radius, the slope over all of it:
   // an arm's roof reaches up to its middle, and far from the border there is none. With a steepness of 1 a tenth more
   // stars are cut wrongly, with 1.5 holes make seams.
@@ -84,16 +89,40 @@ private:
     return steepness * (std::min)(1., std::pow(length, share));
   }
 
+  // Calls `visit(f, c)` for the corners from which an edge of the border goes.
+  template <typename Visit>
+  void for_each_border_corner(Visit visit) const
+  {
+    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
+      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+        if (m_surface.neighbor(c) == Indexed_surface::no_face())
+          visit(f, c);
+  }
+
+  // For each vertex, the length of the part of the border that it lies on, 0 if on none.
+  std::vector<double> lengths_of_borders() const
+  {
+    Disjoint_sets parts(m_surface.number_of_vertices());
+    for_each_border_corner([&](Index f, Index c)
+                           { parts.union_set(m_surface.vertex(c), m_surface.vertex(m_surface.next_corner(f, c))); });
+    std::vector<double> lengths(m_surface.number_of_vertices(), 0);
+    for_each_border_corner([&](Index f, Index c) { lengths[parts.find_set(m_surface.vertex(c))] += m_surface.edge_length(f, c); });
+    for (Index v = 0; v < lengths.size(); ++v)
+      lengths[v] = lengths[parts.find_set(v)];
+    return lengths;
+  }
+
   // Outwards in the faces at the border. After diffusion over the radius a straight border has directions of length 4.
   Triples directions_at_border(const Triples& normals) const
   {
     const double unit = std::sqrt(m_surface.area());
+    const std::vector<double> lengths = lengths_of_borders();
     Triples result(m_surface.number_of_faces(), {0, 0, 0});
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
     {
       Vector_3 border(0, 0, 0);
       for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
-        if (m_surface.neighbor(c) == Indexed_surface::no_face())
+        if (m_surface.neighbor(c) == Indexed_surface::no_face() && lengths[m_surface.vertex(c)] >= longest_hole * unit)
           border += m_surface.point(m_surface.vertex(m_surface.next_corner(f, c))) - m_surface.point(m_surface.vertex(c));
       if (m_surface.area(f) > 0)
         result[f] = triple(cross_product(border, vector(normals[f])) * (2 * radius * unit / m_surface.area(f)));
