@@ -31,7 +31,8 @@ ids depend on the positions of the faces and not on the order of `faces(pmesh)`,
 Every segment is a connected set of faces, except for <em>small components</em>, such as the dust of a scanner. These are
 connected components with less than a thousandth of the area of the largest one and fewer faces. They get no segments of
 their own. All other components are segmented as if there were no small ones. A small component gets the segment of the
-nearest face of the others, measured from the centroids of its faces. The function `on_small_components()` of a visitor tells their number.
+nearest face of the others, measured from the centroids of its faces. The function `on_small_components()` of a visitor tells
+their number.
 
 Nor has the wall of a <em>cavity</em> segments of its own: a closed component that lies inside another one and looks the other
 way. Each of its faces gets the segment of the nearest face of the wall around it, so that segments are hollow bodies. A

@@ -70,16 +70,8 @@ public:
   Nearest_polygon(const Surface_arrays& surface, const std::vector<Index>& polygons)
   {
     for (const Index i : polygons)
-      for (Index c = surface.first_corner(i) + 1; c + 1 < surface.first_corner(i + 1); ++c)
-      {
-        const auto point = [&](Index corner) { return exact(surface.point(surface.vertex(corner))); };
-        const Kernel::Point_3 p = point(surface.first_corner(i)), q = point(c), r = point(c + 1);
-        if (collinear(p, q, r))
-          continue;
-        // Triangles that share no vertices are enough, and any polygon gives some.
-        m_mesh.add_face(m_mesh.add_vertex(p), m_mesh.add_vertex(q), m_mesh.add_vertex(r));
-        m_polygons.push_back(i);
-      }
+      for_each_triangle_of_fan(Corners_of_face<Surface_arrays>{surface, i},
+                               [&](const auto& p, const auto& q, const auto& r) { add(exact(p), exact(q), exact(r), i); });
     m_tree.insert(m_mesh.faces_begin(), m_mesh.faces_end(), m_mesh);
     m_tree.build();
   }
@@ -94,6 +86,15 @@ private:
   using Mesh = Surface_mesh<Kernel::Point_3>;
 
   static Kernel::Point_3 exact(const Polygon_soup::Point_3& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); }
+
+  // Triangles that share no vertices are enough.
+  void add(const Kernel::Point_3& p, const Kernel::Point_3& q, const Kernel::Point_3& r, Index polygon)
+  {
+    if (collinear(p, q, r))
+      return;
+    m_mesh.add_face(m_mesh.add_vertex(p), m_mesh.add_vertex(q), m_mesh.add_vertex(r));
+    m_polygons.push_back(polygon);
+  }
 
   Mesh m_mesh;
   std::vector<Index> m_polygons; // of the triangles
@@ -131,7 +132,7 @@ public:
       throw std::invalid_argument("polygons: none has an area");
     for (const std::size_t i : polygons)
       if (!m_soup.polygons[i].empty())
-        m_result.surface.face_of_polygon[i] = shape->first_face + shape->nearest(centroid(m_arrays, Index(i)));
+        m_result.surface.face_of_polygon[i] = shape->first_face + shape->nearest(centroid_of_face(m_arrays, Index(i)));
   }
 
 private:
@@ -167,11 +168,6 @@ private:
     std::vector<Index> faces(surface.number_of_faces());
     std::iota(faces.begin(), faces.end(), Index(0));
     return faces;
-  }
-
-  static Polygon_soup::Point_3 centroid(const Surface_arrays& surface, Index face)
-  {
-    return measure_polygon(Corners_of_face<Surface_arrays>{surface, face}).centroid;
   }
 
   const Shape* shape_around(const std::vector<std::size_t>& polygons) const
@@ -228,7 +224,7 @@ private:
     }
     const Nearest_polygon nearest(m_arrays, std::vector<Index>(polygons.begin(), polygons.end()));
     for (Index f = 0; f < surface.number_of_faces(); ++f)
-      m_result.surface.polygon_of_face.push_back(nearest(centroid(surface, f)));
+      m_result.surface.polygon_of_face.push_back(nearest(centroid_of_face(surface, f)));
     return m_shapes.emplace_back(surface, first_face);
   }
 

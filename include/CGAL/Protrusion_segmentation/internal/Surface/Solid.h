@@ -6,15 +6,14 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_SOLID_H
 
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Box_intersection_d/Box_with_info_d.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 
-#include <algorithm>
 #include <array>
-#include <limits>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
@@ -30,23 +29,22 @@ public:
   Solid(const Surface_arrays& surface, const Faces& faces)
   {
     for (const Index f : faces)
-      for (Index c = surface.first_corner(f) + 1; c + 1 < surface.first_corner(f + 1); ++c)
-      {
-        const auto corner = [&](Index d) { return surface.point(surface.vertex(d)); };
-        const Triangle triangle = {corner(surface.first_corner(f)), corner(c), corner(c + 1)}; // any polygon gives some
-        const Bbox_3 box = triangle[0].bbox() + triangle[1].bbox() + triangle[2].bbox();
-        m_top = (std::max)(m_top, box.zmax());
-        m_boxes.emplace_back(box, Index(m_triangles.size()));
-        m_triangles.push_back(triangle);
-      }
+      for_each_triangle_of_fan(Corners_of_face<Surface_arrays>{surface, f},
+                               [&](const Point_3& p, const Point_3& q, const Point_3& r) { m_triangles.push_back({p, q, r}); });
   }
 
   // Of each point. A ray upwards from a point inside crosses an odd number of triangles.
   std::vector<Bounded_side> sides(const std::vector<Point_3>& points) const
   {
-    std::vector<Box> rays, boxes = m_boxes; // which are moved about
+    std::vector<Box> rays, boxes;
+    Bbox_3 whole;
+    for (const auto& [p, q, r] : m_triangles)
+    {
+      boxes.emplace_back(p.bbox() + q.bbox() + r.bbox(), Index(boxes.size()));
+      whole += boxes.back().bbox();
+    }
     for (const Point_3& p : points)
-      rays.emplace_back(p.bbox() + Point_3(p.x(), p.y(), m_top).bbox(), Index(rays.size()));
+      rays.emplace_back(p.bbox() + Point_3(p.x(), p.y(), whole.zmax()).bbox(), Index(rays.size()));
     std::vector<Bounded_side> result(points.size(), ON_UNBOUNDED_SIDE);
     box_intersection_d(rays.begin(), rays.end(), boxes.begin(), boxes.end(),
                        [&](const Box& ray, const Box& box)
@@ -85,8 +83,6 @@ private:
   }
 
   std::vector<Triangle> m_triangles;
-  std::vector<Box> m_boxes;
-  double m_top = -(std::numeric_limits<double>::infinity)();
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

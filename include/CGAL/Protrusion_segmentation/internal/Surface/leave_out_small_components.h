@@ -10,6 +10,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/nested_components.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/small_components.h>
 
 #include <CGAL/Orthogonal_k_neighbor_search.h>
@@ -26,11 +27,6 @@
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
-
-inline Indexed_surface::Point_3 centroid_of_face(const Surface_arrays& surface, Indexed_surface::Index face)
-{
-  return measure_polygon(Corners_of_face<Surface_arrays>{surface, face}).centroid;
-}
 
 // Finds the nearest of given faces: of those with the nearest centroids, which are all of a small surface.
 class Nearest_face
@@ -69,10 +65,13 @@ private:
 
   double squared_distance_to(Index face, const Indexed_surface::Point_3& point) const
   {
-    const Corners_of_face<Surface_arrays> corners{m_surface, face};
     double result = (std::numeric_limits<double>::infinity)();
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-      result = (std::min)(result, CGAL::squared_distance(point, Simple_cartesian<double>::Triangle_3(corners[0], corners[i], corners[i + 1])));
+    for_each_triangle_of_fan(Corners_of_face<Surface_arrays>{m_surface, face},
+                             [&](const auto& p, const auto& q, const auto& r)
+                             {
+                               const Simple_cartesian<double>::Triangle_3 triangle(p, q, r);
+                               result = (std::min)(result, CGAL::squared_distance(point, triangle));
+                             });
     return result;
   }
 

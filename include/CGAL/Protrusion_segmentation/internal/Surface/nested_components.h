@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -112,20 +111,19 @@ private:
   void find_components_inside(Index c, const std::vector<Index>& others)
   {
     std::vector<Indexed_surface::Point_3> corners;
-    std::vector<Index> component; // of each
+    std::vector<std::size_t> first = {0}; // of the corners of each
     for (const Index other : others)
     {
       add_some_corners(other, corners);
-      component.resize(corners.size(), other);
+      first.push_back(corners.size());
     }
     const std::vector<Bounded_side> sides = Solid(m_surface, m_faces[c]).sides(corners);
-    std::map<Index, Bounded_side> side; // of each of the others
-    for (std::size_t i = 0; i < sides.size(); ++i)
-      if (Bounded_side& s = side[component[i]]; s != ON_UNBOUNDED_SIDE)
-        s = sides[i] == ON_BOUNDARY ? s : sides[i];
-    for (const Index other : others)
-      if (side[other] == ON_BOUNDED_SIDE)
-        m_around[other].push_back(c);
+    for (std::size_t i = 0; i < others.size(); ++i)
+    {
+      const auto begin = sides.begin() + std::ptrdiff_t(first[i]), end = sides.begin() + std::ptrdiff_t(first[i + 1]);
+      if (std::find(begin, end, ON_UNBOUNDED_SIDE) == end && std::find(begin, end, ON_BOUNDED_SIDE) != end)
+        m_around[others[i]].push_back(c);
+    }
   }
 
   Bbox_3 box_of(Index c) const

@@ -99,6 +99,20 @@ Polygon_measures measure_polygon(const Corners& corners)
   return {area, polygon_centroid(corners, normal, area)};
 }
 
+template <typename Surface>
+Simple_cartesian<double>::Point_3 centroid_of_face(const Surface& surface, std::uint32_t face)
+{
+  return measure_polygon(Corners_of_face<Surface>{surface, face}).centroid;
+}
+
+// Calls `visit(p, q, r)` for the triangles of the fan around the first corner.
+template <typename Corners, typename Visit>
+void for_each_triangle_of_fan(const Corners& corners, Visit visit)
+{
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+    visit(corners[0], corners[i], corners[i + 1]);
+}
+
 } // namespace CGAL::Protrusion_segmentation::internal
 
 #endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_POLYGON_MEASURES_H

@@ -30,6 +30,16 @@ inline bool is_open(const Indexed_surface& surface)
   return false;
 }
 
+// Calls `visit(f, c)` for the faces f and their corners c from which an edge of the border goes.
+template <typename Visit>
+void for_each_border_corner(const Indexed_surface& surface, Visit visit)
+{
+  for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
+    for (Indexed_surface::Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
+      if (surface.neighbor(c) == Indexed_surface::no_face())
+        visit(f, c);
+}
+
 // Scales each vector to length 1; where it vanishes, it stays the zero vector.
 inline void normalize(Triples& vectors, bool is_parallel)
 {
@@ -89,24 +99,14 @@ private:
     return steepness * (std::min)(1., std::pow(length, share));
   }
 
-  // Calls `visit(f, c)` for the corners from which an edge of the border goes.
-  template <typename Visit>
-  void for_each_border_corner(Visit visit) const
-  {
-    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
-        if (m_surface.neighbor(c) == Indexed_surface::no_face())
-          visit(f, c);
-  }
-
   // For each vertex, the length of the part of the border that it lies on, 0 if on none.
   std::vector<double> lengths_of_borders() const
   {
     Disjoint_sets parts(m_surface.number_of_vertices());
-    for_each_border_corner([&](Index f, Index c)
+    for_each_border_corner(m_surface, [&](Index f, Index c)
                            { parts.union_set(m_surface.vertex(c), m_surface.vertex(m_surface.next_corner(f, c))); });
     std::vector<double> lengths(m_surface.number_of_vertices(), 0);
-    for_each_border_corner([&](Index f, Index c) { lengths[parts.find_set(m_surface.vertex(c))] += m_surface.edge_length(f, c); });
+    for_each_border_corner(m_surface, [&](Index f, Index c) { lengths[parts.find_set(m_surface.vertex(c))] += m_surface.edge_length(f, c); });
     for (Index v = 0; v < lengths.size(); ++v)
       lengths[v] = lengths[parts.find_set(v)];
     return lengths;

@@ -29,10 +29,8 @@ inline double signed_volume_of_holes(const Indexed_surface& surface)
   using Index = Indexed_surface::Index;
   const Indexed_surface::Point_3 origin(0, 0, 0);
   std::vector<std::pair<Index, Index>> edges; // of the border, by their vertices
-  for (Index f = 0; f < surface.number_of_faces(); ++f)
-    for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
-      if (surface.neighbor(c) == Indexed_surface::no_face())
-        edges.emplace_back(surface.vertex(c), surface.vertex(surface.next_corner(f, c)));
+  for_each_border_corner(surface, [&](Index f, Index c)
+                         { edges.emplace_back(surface.vertex(c), surface.vertex(surface.next_corner(f, c))); });
   if (edges.empty())
     return 0;
   Disjoint_sets holes(surface.number_of_vertices());
