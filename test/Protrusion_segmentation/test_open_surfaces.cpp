@@ -3,8 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // What sticks out of a surface without an underside, as of a scan from one side, is found whatever its height and the
-// orientation of the faces. Small holes, as scanners leave them, change no number.
+// orientation of the faces. Small holes, as scanners leave them, change no number. Pipes with open ends have the segments of
+// closed ones, and the hills of terrain are none.
 
+#include "implicit_mesh.h"
 #include "segmentations.h"
 #include "test_meshes.h"
 
@@ -99,10 +101,85 @@ void small_holes_change_no_number()
       CGAL_CHECK_EQUAL(automatic_number(with_holes(mesh, seed)), automatic_number(mesh));
 }
 
+// Pipes of radius 1 that meet in a fillet: each is a part, the middle is another one. Their ends are cut off at a distance.
+Test_mesh junction(const std::vector<Point>& directions, double distance)
+{
+  constexpr double end_of_fillet = 1.6;
+  std::vector<Stick> pipes;
+  for (const Point& d : directions)
+    pipes.push_back({{0, 0, 0}, (distance + 1) * d, 1, 1, pipes.size() + 1});
+  Test_mesh mesh = implicit_mesh(Implicit_body(pipes, 0.4), 0.25);
+  Test_mesh open;
+  open.points = mesh.points;
+  for (const Face& face : mesh.faces)
+  {
+    const Point centre = (1. / 3) * (mesh.points[face[0]] + mesh.points[face[1]] + mesh.points[face[2]]);
+    std::size_t part = 0;
+    double farthest = end_of_fillet;
+    for (std::size_t i = 0; i < directions.size(); ++i)
+      if (const double along = dot(centre, directions[i]); along > farthest)
+      {
+        farthest = along;
+        part = i + 1;
+      }
+    if (farthest < distance)
+      open.add_face(face, part);
+  }
+  return open;
+}
+
+void open_pipes_are_parts()
+{
+  const double s = std::sqrt(0.75);
+  const std::vector<Point> tee = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}}, wye = {{1, 0, 0}, {-0.5, s, 0}, {-0.5, -s, 0}},
+                           cross = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+  for (const auto& directions : {tee, wye, cross})
+    for (const double distance : {3.5, 4.5, 6.})
+    {
+      const Test_mesh mesh = junction(directions, distance);
+      CGAL_CHECK_EQUAL(automatic_number(mesh), directions.size() + 1);
+    }
+}
+
+// Waves of any length in both directions, with slopes of up to 45 degrees.
+Test_mesh terrain(std::uint_fast32_t seed)
+{
+  constexpr std::size_t cells = 60;
+  std::mt19937 random(seed);
+  const auto number = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.); };
+  const double along = number(4, 20), across = number(4, 20), height = number(0.2, 1) / (std::max)(along, across);
+  Test_mesh mesh;
+  for (std::size_t j = 0; j <= cells; ++j)
+    for (std::size_t i = 0; i <= cells; ++i)
+    {
+      const double x = double(i) / cells, y = double(j) / cells;
+      mesh.add_point({x, y, height * std::sin(along * x + 1) * std::sin(across * y)});
+    }
+  for (std::size_t j = 0; j < cells; ++j)
+    for (std::size_t i = 0; i < cells; ++i)
+    {
+      const std::size_t p = j * (cells + 1) + i;
+      mesh.add_face({p, p + 1, p + cells + 2});
+      mesh.add_face({p, p + cells + 2, p + cells + 1});
+    }
+  return mesh;
+}
+
+void hills_are_no_parts()
+{
+  int whole = 0;
+  for (std::uint_fast32_t seed = 0; seed < 40; ++seed)
+    whole += automatic_number(terrain(seed)) == 1;
+  std::cout << whole << " of 40 terrains are whole\n";
+  CGAL_CHECK(whole >= 38);
+}
+
 } // namespace
 
 int main()
 {
+  open_pipes_are_parts();
+  hills_are_no_parts();
   small_holes_change_no_number();
   for (const double height : {1., 1.5, 3., 5.})
     for (const Test_mesh& mesh : {plate_with_peg(height), turned(plate_with_peg(height))})

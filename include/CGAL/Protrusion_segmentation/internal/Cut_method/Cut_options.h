@@ -30,7 +30,7 @@ struct Cut_clues
   double pocket;           // of a smaller side that goes into the body, its volume relative to its area and opening, else 0
   double several_loops;    // 1 if the cut consists of several loops, else 0
   double flatness;         // of the area of the smaller side, the share that faces one way and not the
-                           // other: 1 of a piece of a plane, 1/2 of a half sphere, near 0 of a limb; 0 of a flat sheet
+                           // other: 1 of a piece of a plane, 1/2 of a half sphere, near 0 of a limb; 0 of the limb of a sheet
 };
 
 // The weights of the clues, fitted to human segmentations of three quarters of the development models of the Princeton

@@ -135,7 +135,7 @@ public:
     const Cut_strip inside = measure_strip(m_bisection, along_inside, true, cut);
     const Cut_strip outside = measure_strip(m_bisection, along_outside, false, cut);
     // Earlier cuts leave no holes in a sheet: what is narrow between one and the border of the surface goes on behind it.
-    constexpr double of_earlier = 2; // the same from 1 to 2 but for plates with pegs, decisions.md
+    constexpr double of_earlier = 3; // the same from 2.5 to 4 for plates with pegs, decisions.md
     Cut_clues clues;
     clues.concave_share = m_concave_length / m_length;
     clues.relative_length = std::log(length_around(m_length + of_earlier * m_openness * m_earlier_length) / std::sqrt(m_smaller_area));
@@ -149,7 +149,7 @@ public:
     clues.thickness = std::log((std::max)(0.001, std::abs(thickness)));
     clues.pocket = (std::max)(0., -thickness);
     clues.several_loops = has_several_loops(along_inside, along_outside) ? 1 : 0;
-    clues.flatness = (1 - m_openness) * std::sqrt(m_area_vector.squared_length()) / m_smaller_area;
+    clues.flatness = (1 - share_of_outline()) * std::sqrt(m_area_vector.squared_length()) / m_smaller_area;
     return clues;
   }
 
@@ -168,6 +168,13 @@ private:
     return cone < round ? 1 - cone / round : 0;
   }
 
+  // Of the openness of the cut, what its seam owes to the outline of the surface and not to a fold: a hill that ends at the border of
+  // terrain is no limb of a sheet.
+  double share_of_outline() const
+  {
+    return m_openness * (1 - (std::min)(1., m_folded_length / m_length)); // lengths of cuts are straightened, folds are not
+  }
+
   void measure_cut()
   {
     constexpr double least_length = 1e-9;
@@ -175,6 +182,7 @@ private:
     m_bisection.partition().for_each_arc_of_cut(m_bisection.inner(), [&](Index arc, Index, Index)
                                                 {
                                                   m_concave_length += m_graph.concave_length[arc];
+                                                  m_folded_length += m_graph.folded_length[arc];
                                                   m_length += m_graph.border_length[arc];
                                                   m_cost += m_graph.capacity[arc];
                                                   m_opening += m_graph.border_area[arc];
@@ -228,7 +236,7 @@ private:
   const Bisection& m_bisection;
   double m_smaller_area;
   bool m_inner_is_smaller;
-  double m_concave_length = 0, m_length = 0, m_cost = 0; // of the cut
+  double m_concave_length = 0, m_folded_length = 0, m_length = 0, m_cost = 0; // of the cut
   Vector_3 m_opening{0, 0, 0}, m_centre{0, 0, 0};        // of the cut
   // along the border of the surface around the smaller side, from its end to its beginning: all borders of a side are closed
   Vector_3 m_along_surface_border{0, 0, 0};

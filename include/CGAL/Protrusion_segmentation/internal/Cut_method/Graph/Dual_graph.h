@@ -69,6 +69,7 @@ struct Seam_graph : Dual_graph
 {
   std::vector<float> curvature;      // of every arc, the mean along the border, positive where concave
   std::vector<float> concave_length; // of every arc, the length of the border's edges that lie in a concave seam
+  std::vector<float> folded_length;  // of every arc, that of the edges where the surface itself makes the seam, not its roof
   std::vector<float> capacity;       // of every arc, the border length, cheap on seams: the cost of a cut
   double outward = 1;                // the side that the faces' normals point to: 1 out of the body, -1 into it
 

@@ -128,7 +128,7 @@ struct Contracted
 // Between the nodes of a contracted graph.
 struct Merged_border
 {
-  float length = 0, concave_length = 0, capacity = 0, curvature = 0; // the last times the length
+  float length = 0, concave_length = 0, folded_length = 0, capacity = 0, curvature = 0; // the last times the length
 };
 
 // The lengths of the arcs between the centres of neighbouring nodes.
@@ -180,6 +180,7 @@ Contracted<Graph> contract(const Graph& graph, const Centres& centre_of_node, Cl
     if constexpr (has_seams)
     {
       border.concave_length += graph.concave_length[arc];
+      border.folded_length += graph.folded_length[arc];
       border.capacity += graph.capacity[arc];
       border.curvature += graph.curvature[arc] * graph.border_length[arc];
     }
@@ -190,6 +191,7 @@ Contracted<Graph> contract(const Graph& graph, const Centres& centre_of_node, Cl
     if constexpr (has_seams)
     {
       to.concave_length.push_back(border.concave_length);
+      to.folded_length.push_back(border.folded_length);
       to.capacity.push_back(border.capacity);
       to.curvature.push_back(border.length > 0 ? border.curvature / border.length : border.curvature);
     }

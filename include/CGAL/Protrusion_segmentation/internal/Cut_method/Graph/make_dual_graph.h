@@ -158,13 +158,13 @@ public:
     Triples roof; // of an open surface
     if (is_open(m_surface))
       roof = Border_roof(m_surface, m_execution)(graph, centre, normals);
-    for (std::vector<float>* weights : {&graph.curvature, &graph.concave_length, &graph.capacity})
+    for (std::vector<float>* weights : {&graph.curvature, &graph.concave_length, &graph.folded_length, &graph.capacity})
       weights->resize(graph.target.size());
     for_each_number(graph.number_of_nodes(), m_execution.is_parallel(),
                     [&](Index f)
                     {
                       for (Index arc : graph.arcs(f))
-                        weigh(graph, arc, curvature(graph, f, arc, normals) + (roof.empty() ? 0 : valley(graph, f, arc, roof)));
+                        weigh(graph, arc, curvature(graph, f, arc, normals), roof.empty() ? 0 : valley(graph, f, arc, roof));
                     });
   }
 
@@ -195,7 +195,8 @@ private:
                                                     : (std::max)(curvature, curvature_between_patches);
   }
 
-  // The curvature of the roof across an arc, positive where it falls from both faces towards each other.
+  // The curvature of the roof across an arc where it falls from both faces towards each other, else 0: its ridges would hide folds of
+  // the surface beside the ends of pipes.
   double valley(const Seam_graph& graph, Index f, Index arc, const Triples& roof) const
   {
     const Index g = graph.target[arc];
@@ -203,14 +204,17 @@ private:
     const Indexed_surface::Vector_3 turn(p[0] - q[0], p[1] - q[1], p[2] - q[2]), step = m_surface.centroid(g) - m_surface.centroid(f);
     const double length = std::sqrt(step.squared_length());
     const double curvature = length > 0 ? turn * step / length / graph.length[arc] : 0;
-    return (std::max)(-largest_curvature, (std::min)(largest_curvature, curvature));
+    return (std::max)(0., (std::min)(largest_curvature, curvature));
   }
 
-  void weigh(Seam_graph& graph, Index arc, double curvature) const
+  // `fold`: the curvature of the surface; `valley`: that of its roof
+  void weigh(Seam_graph& graph, Index arc, double fold, double valley) const
   {
     constexpr double seam_curvature = 2;     // from which on an edge lies in a seam: a radius of 1/2
+    const double curvature = fold + valley;
     graph.curvature[arc] = static_cast<float>(curvature);
     graph.concave_length[arc] = curvature > seam_curvature ? graph.border_length[arc] : 0;
+    graph.folded_length[arc] = fold > (std::max)(seam_curvature, valley) ? graph.border_length[arc] : 0;
     graph.capacity[arc] = static_cast<float>(m_options.cost(graph.border_length[arc], curvature));
   }
 
