@@ -11,9 +11,6 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/average_normals.h>
 
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -23,7 +20,6 @@
 #include <utility>
 
 using namespace test_meshes;
-using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
 constexpr int outside = -1;
 
@@ -94,12 +90,6 @@ Test_mesh flat_dumbbell()
     });
 }
 
-Segmentation segmentation(const Test_mesh& mesh)
-{
-  const Mesh faces = to_graph<Mesh>(mesh);
-  return checked(faces, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(faces, ids); });
-}
-
 void normals_of_a_sphere_point_outward()
 {
   const Indexed_surface surface = to_surface(jittered(icosphere(4), 0.005, 1));
@@ -156,16 +146,16 @@ void no_parts_without_concave_corners()
 {
   const auto inside = [](bool is_inside) { return is_inside ? 0 : outside; };
   CGAL_CHECK_EQUAL(
-    segmentation(sheet([&](double x, double y) { return inside(std::hypot(x, y) < 0.95); })).number, 1u);
-  CGAL_CHECK_EQUAL(segmentation(
+    automatic_segmentation(sheet([&](double x, double y) { return inside(std::hypot(x, y) < 0.95); })).number, 1u);
+  CGAL_CHECK_EQUAL(automatic_segmentation(
                 sheet([&](double x, double y) { return inside(std::abs(x) < 0.8 && std::abs(y) < 0.8); }))
                 .number,
               1u);
-  CGAL_CHECK_EQUAL(segmentation(sheet([&](double, double y) { return inside(std::abs(y) < 0.2); })).number,
+  CGAL_CHECK_EQUAL(automatic_segmentation(sheet([&](double, double y) { return inside(std::abs(y) < 0.2); })).number,
               1u);
   CGAL_CHECK_EQUAL(
-    segmentation(sheet([&](double x, double y) { return inside(x * x + 4 * y * y < 0.9); })).number, 1u);
-  CGAL_CHECK_EQUAL(segmentation(
+    automatic_segmentation(sheet([&](double x, double y) { return inside(x * x + 4 * y * y < 0.9); })).number, 1u);
+  CGAL_CHECK_EQUAL(automatic_segmentation(
                 sheet([&](double x, double y) { return inside(std::abs(std::hypot(x, y) - 0.7) < 0.2); }))
                 .number,
               1u);
@@ -174,9 +164,9 @@ void no_parts_without_concave_corners()
 void arms_are_parts()
 {
   constexpr double least_share = 0.97;
-  check_parts(star(5, 90), segmentation(star(5, 90)), least_share);
-  check_parts(star(6, 140), segmentation(star(6, 140)), least_share);
-  check_parts(flat_dumbbell(), segmentation(flat_dumbbell()), least_share);
+  check_parts(star(5, 90), automatic_segmentation(star(5, 90)), least_share);
+  check_parts(star(6, 140), automatic_segmentation(star(6, 140)), least_share);
+  check_parts(flat_dumbbell(), automatic_segmentation(flat_dumbbell()), least_share);
 }
 
 Test_mesh star_with_tapering_arms(int arms, int cells, double turned)
@@ -193,9 +183,9 @@ void tapering_arms_are_whole()
     for (const int cells : {64, 90, 120, 140})
     {
       const Test_mesh mesh = star_with_tapering_arms(arms, cells, 0.13);
-      check_parts(mesh, segmentation(mesh), 0.9);
+      check_parts(mesh, automatic_segmentation(mesh), 0.9);
       const Test_mesh turned = star_with_tapering_arms(arms, cells, 0.4);
-      const Segmentation found = segmentation(turned);
+      const Segmentation found = automatic_segmentation(turned);
       right += found.number == number_of_parts(turned) && share_in_true_parts(turned, found.labels) > 0.9;
     }
   CGAL_CHECK(right >= 10);
@@ -221,7 +211,7 @@ Test_mesh flat_figure(int cells)
 void figures_have_head_arms_and_legs()
 {
   for (const int cells : {60, 90, 120})
-    check_parts(flat_figure(cells), segmentation(flat_figure(cells)), 0.95);
+    check_parts(flat_figure(cells), automatic_segmentation(flat_figure(cells)), 0.95);
 }
 
 // A sheet may be bent as a roof or a saddle, or sag, by little or much.
@@ -238,19 +228,19 @@ void bent_sheets_have_the_parts_of_flat_ones()
         Test_mesh bent = plane;
         for (Point& p : bent.points)
           p[2] = size * height(p[0], p[1]);
-        check_parts(bent, segmentation(bent), least_share);
+        check_parts(bent, automatic_segmentation(bent), least_share);
       }
 }
 
 void place_and_size_do_not_count()
 {
   const Test_mesh plane = star(5, 90);
-  const Labels labels = as_partition(segmentation(plane).labels);
+  const Labels labels = as_partition(automatic_segmentation(plane).labels);
   for (const Test_mesh& moved :
        {translated(plane, {5, -3, 2}), scaled(plane, 1000),
         translated(rotated(plane, {1, 1, 0}, 2), {0, 100, 0}), with_reversed_orientation(plane)})
-    CGAL_CHECK(share_in_true_parts(plane, segmentation(moved).labels) >= 0.97);
-  CGAL_CHECK_EQUAL(as_partition(segmentation(translated(plane, {0, 0, 4})).labels) == labels, true);
+    CGAL_CHECK(share_in_true_parts(plane, automatic_segmentation(moved).labels) >= 0.97);
+  CGAL_CHECK_EQUAL(as_partition(automatic_segmentation(translated(plane, {0, 0, 4})).labels) == labels, true);
 }
 
 // A polygon of many edges with a triangle on each: faces that have no neighbour but one do not come together to groups.
@@ -269,7 +259,7 @@ void a_face_may_have_all_others_around_it()
   mesh.add_face(hub);
   for (std::size_t i = 0; i < 2 * teeth; i += 2)
     mesh.add_face({i, i + 1, (i + 2) % (2 * teeth)});
-  CGAL_CHECK_EQUAL(segmentation(mesh).number, 1u);
+  CGAL_CHECK_EQUAL(automatic_segmentation(mesh).number, 1u);
 }
 
 int main()

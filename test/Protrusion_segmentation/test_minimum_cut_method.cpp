@@ -26,12 +26,6 @@ Segmentation default_segmentation(const Test_mesh& soup, std::size_t k)
   return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k); });
 }
 
-Segmentation automatic_segmentation(const Test_mesh& soup)
-{
-  const Mesh mesh = to_graph<Mesh>(soup);
-  return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids); });
-}
-
 void check_parts(const Test_mesh& mesh, double least_share)
 {
   check_parts(mesh, default_segmentation(mesh, number_of_parts(mesh)), least_share);

@@ -73,12 +73,6 @@ Segmentation segmentation(const Test_mesh& soup)
   return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, 2); });
 }
 
-Segmentation automatic_segmentation(const Test_mesh& soup)
-{
-  const Mesh mesh = to_graph<Mesh>(soup);
-  return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids); });
-}
-
 // Without the faces around some vertices.
 Test_mesh with_holes(Test_mesh mesh, std::uint_fast32_t seed)
 {
@@ -108,12 +102,12 @@ Test_mesh junction(const std::vector<Point>& directions, double distance)
   std::vector<Stick> pipes;
   for (const Point& d : directions)
     pipes.push_back({{0, 0, 0}, (distance + 1) * d, 1, 1, pipes.size() + 1});
-  Test_mesh mesh = implicit_mesh(Implicit_body(pipes, 0.4), 0.25);
+  const Test_mesh mesh = implicit_mesh(Implicit_body(pipes, 0.4), 0.25);
   Test_mesh open;
   open.points = mesh.points;
   for (const Face& face : mesh.faces)
   {
-    const Point centre = (1. / 3) * (mesh.points[face[0]] + mesh.points[face[1]] + mesh.points[face[2]]);
+    const Point centre = centroid(mesh, face);
     std::size_t part = 0;
     double farthest = end_of_fillet;
     for (std::size_t i = 0; i < directions.size(); ++i)
@@ -145,24 +139,14 @@ void open_pipes_are_parts()
 Test_mesh terrain(std::uint_fast32_t seed)
 {
   constexpr std::size_t cells = 60;
-  std::mt19937 random(seed);
-  const auto number = [&](double low, double high) { return low + (high - low) * (random() / 4294967296.); };
-  const double along = number(4, 20), across = number(4, 20), height = number(0.2, 1) / (std::max)(along, across);
-  Test_mesh mesh;
-  for (std::size_t j = 0; j <= cells; ++j)
-    for (std::size_t i = 0; i <= cells; ++i)
-    {
-      const double x = double(i) / cells, y = double(j) / cells;
-      mesh.add_point({x, y, height * std::sin(along * x + 1) * std::sin(across * y)});
-    }
-  for (std::size_t j = 0; j < cells; ++j)
-    for (std::size_t i = 0; i < cells; ++i)
-    {
-      const std::size_t p = j * (cells + 1) + i;
-      mesh.add_face({p, p + 1, p + cells + 2});
-      mesh.add_face({p, p + cells + 2, p + cells + 1});
-    }
-  return mesh;
+  Random random(seed);
+  const double along = random.real(4, 20), across = random.real(4, 20), height = random.real(0.2, 1) / (std::max)(along, across);
+  return transformed(height_field(cells, cells, seed),
+                     [&](const Point& p)
+                     {
+                       const double x = p[0] / cells, y = p[1] / cells;
+                       return Point{x, y, height * std::sin(along * x + 1) * std::sin(across * y)};
+                     });
 }
 
 void hills_are_no_parts()

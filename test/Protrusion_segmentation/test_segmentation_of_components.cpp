@@ -19,12 +19,6 @@
 using namespace test_meshes;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
 
-Segmentation segmentation(const Test_mesh& soup)
-{
-  const Mesh mesh = to_graph<Mesh>(soup);
-  return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids); });
-}
-
 Segmentation segmentation(const Test_mesh& soup, std::size_t k)
 {
   const Mesh mesh = to_graph<Mesh>(soup);
@@ -70,16 +64,16 @@ void check_copies(const Segmentation& found, const Segmentation& one, std::size_
 
 void one_figure()
 {
-  const Segmentation found = segmentation(figure());
+  const Segmentation found = automatic_segmentation(figure());
   check_parts(figure(), found, 0.95);
 }
 
 void copies_side_by_side_are_segmented_alike()
 {
-  const Segmentation one = segmentation(figure());
-  check_copies(segmentation(figures({1, 1, 1})), one, 3);
-  check_copies(segmentation(figures({1, 4, 0.25})), one, 3);
-  check_copies(segmentation(figures({1, 10, 0.3})), one, 3);
+  const Segmentation one = automatic_segmentation(figure());
+  check_copies(automatic_segmentation(figures({1, 1, 1})), one, 3);
+  check_copies(automatic_segmentation(figures({1, 4, 0.25})), one, 3);
+  check_copies(automatic_segmentation(figures({1, 10, 0.3})), one, 3);
 }
 
 // Every further segment goes to the component where it brings most.
@@ -95,14 +89,14 @@ void every_copy_gets_its_share()
 
 void a_floor_is_one_segment_and_changes_nothing()
 {
-  const Segmentation one = segmentation(figure());
+  const Segmentation one = automatic_segmentation(figure());
   const double size = 20 * 6;
   for (const std::size_t squares : {10, 40})
   {
     const Test_mesh floor = translated(
       sheet(squares, squares, size / double(squares), size / double(squares)),
       {-size / 2, -size / 2, -4});
-    const Segmentation found = segmentation(merged({floor, figure()}));
+    const Segmentation found = automatic_segmentation(merged({floor, figure()}));
     CGAL_CHECK_EQUAL(found.number, one.number + 1);
     const std::ptrdiff_t faces_of_floor = std::ptrdiff_t(floor.faces.size());
     CGAL_CHECK(as_partition(Labels(found.labels.begin(), found.labels.begin() + faces_of_floor)) ==
@@ -120,12 +114,12 @@ void what_lies_beside_and_where_does_not_matter()
   for (const std::uint_fast32_t seed : {1, 2, 3})
   {
     const Test_mesh mesh = jittered(figure(), 0.02, seed);
-    const Segmentation one = segmentation(mesh);
+    const Segmentation one = automatic_segmentation(mesh);
     std::vector<Test_mesh> copies;
     for (std::size_t i = 0; i < 3; ++i)
       copies.push_back(translated(mesh, {coordinate(), coordinate(), coordinate()}));
     copies.push_back(translated(sheet(7, 5, 30, 20), {coordinate(), coordinate(), coordinate()}));
-    const Segmentation found = segmentation(merged(copies));
+    const Segmentation found = automatic_segmentation(merged(copies));
     CGAL_CHECK_EQUAL(found.number, 3 * one.number + 1);
     for (std::size_t i = 0; i < 3; ++i)
       CGAL_CHECK(partition_of_copy(found.labels, i, one.labels.size()) == as_partition(one.labels));
@@ -137,21 +131,21 @@ void mirror_images_turns_and_scales_do_not_matter()
 {
   for (const Test_mesh& mesh : {jittered(figure(), 0.02, 1), jittered(figures({1, 0.5}), 0.02, 2)})
   {
-    const Labels expected = segmentation(mesh).labels;
+    const Labels expected = automatic_segmentation(mesh).labels;
     for (const Test_mesh& same :
          {with_reversed_orientation(scaled(mesh, -1, 1, 1)), scaled(mesh, 1000), scaled(mesh, 1e-3), scaled(mesh, 1024),
           scaled(mesh, std::ldexp(1., 200)), rotated(mesh, {1, 2, 3}, 1), translated(mesh, {30, -20, 10})})
-      CGAL_CHECK(segmentation(same).labels == expected);
+      CGAL_CHECK(automatic_segmentation(same).labels == expected);
   }
 }
 
 void the_order_of_the_faces_does_not_matter()
 {
-  const Segmentation one = segmentation(figure());
+  const Segmentation one = automatic_segmentation(figure());
   for (std::uint_fast32_t seed = 0; seed < 3; ++seed)
   {
     const std::vector<std::size_t> order = random_permutation(figure().faces.size(), seed);
-    const Segmentation found = segmentation(with_face_order(figure(), order));
+    const Segmentation found = automatic_segmentation(with_face_order(figure(), order));
     CGAL_CHECK_EQUAL(found.number, one.number);
     for (std::size_t i = 0; i < order.size(); ++i)
       CGAL_CHECK_EQUAL(found.labels[i], one.labels[order[i]]);

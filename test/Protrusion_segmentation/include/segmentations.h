@@ -13,6 +13,8 @@
 #include "validation.h"
 
 #include <CGAL/Protrusion_segmentation/Histogram_method.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
 #include <CGAL/protrusion_segmentation.h>
 
 namespace test_meshes {
@@ -77,6 +79,13 @@ Segmentation checked(const FaceGraph& mesh, Segment segment)
     CGAL_CHECK_EQUAL(validation::problem_with_segmentation(mesh, ids.map(), result.number).value_or("no problem"),
                 "no problem");
   return result;
+}
+
+// The default method, with the number of segments that it finds.
+inline Segmentation automatic_segmentation(const Test_mesh& soup)
+{
+  const auto mesh = to_graph<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>>(soup);
+  return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids); });
 }
 
 // The paper's method.
