@@ -9,6 +9,7 @@
 #include "segmentations.h"
 #include "test_meshes.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Border_roof.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/average_normals.h>
 
 #include <algorithm>

@@ -10,7 +10,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarsen_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarse_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/measure_coarse_graph.h>
 
 #include <vector>
 

@@ -9,6 +9,7 @@
 #include "dual_graphs.h"
 #include "test_meshes.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Seam_finder.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/make_dual_graph.h>
 
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "dual_graphs.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
 
 #include <algorithm>
 #include <limits>

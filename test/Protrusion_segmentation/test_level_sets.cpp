@@ -10,7 +10,7 @@
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Candidates/level_sets.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
 
 #include <algorithm>
 #include <vector>

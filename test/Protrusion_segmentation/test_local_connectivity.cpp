@@ -9,7 +9,7 @@
 #include "node_sets.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Local_connectivity.h>
 
 #include <algorithm>

@@ -6,7 +6,7 @@
 
 #include "check.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/number_of_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/number_of_segments.h>
 
 #include <cstddef>
 #include <optional>
@@ -17,7 +17,7 @@ using namespace CGAL::Protrusion_segmentation::internal;
 
 std::size_t automatic_number(const std::vector<double>& gains)
 {
-  return automatic_number_of_segments(
+  return number_before_largest_drop(
     [&](std::size_t number)
     { return number <= gains.size() ? std::optional<double>(gains[number - 1]) : std::nullopt; },
     Cut_options());

@@ -12,7 +12,7 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Bisection.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_clues.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
 
 #include <cstddef>
 #include <vector>

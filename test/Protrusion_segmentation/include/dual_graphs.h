@@ -11,8 +11,9 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarse_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/measure_coarse_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/contract_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Seam_finder.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/make_dual_graph.h>
 
 #include <numeric>

@@ -7,7 +7,7 @@
 #ifndef CGAL_TEST_PROTRUSION_SEGMENTATION_NODE_SETS_H
 #define CGAL_TEST_PROTRUSION_SEGMENTATION_NODE_SETS_H
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 
 #include <set>

@@ -66,6 +66,16 @@ public:
     return result;
   }
 
+  // The segments of a set on the faces. `coarser`: sets of fewer segments, which its order is to be near to
+  Component_segments segments(const Cut_set& set, const std::vector<const Cut_set*>& coarser = {}) const
+  {
+    return Component_segments(m_graphs, memo(), set, m_options, m_execution, coarser);
+  }
+  std::vector<Protrusion<Index>> describe(const Component_segments& segments) const
+  {
+    return Protrusion_describer(m_surface, m_graphs, segments, m_execution.is_parallel())();
+  }
+
   // What segment `number_of_segments` + 1 gains; nothing if there is none.
   std::optional<double> gain(std::size_t number_of_segments)
   {
@@ -88,9 +98,8 @@ public:
   }
 
 private:
-  // Those of the best segmentation into some number of segments if most of the tips are those of its protrusions: the tips of
-  // a result give that result, and so they do with a few more. Else those of the automatic one. Puts the tips that have a
-  // cut first, in the order of the cuts.
+  // The cuts of a known segmentation if the tips of all its protrusions are picked, and at most a quarter more: the tips of a
+  // result give that result. Else those of the automatic one. Puts the tips that have a cut first, in the order of the cuts.
   Cut_set known_cuts(std::vector<Index>& tips)
   {
     for (std::size_t number = tips.size() + 1; number > 1 && 4 * (number - 1) >= 3 * tips.size(); --number)
@@ -112,7 +121,7 @@ private:
   // The automatic segmentation, where the segments without tips belong to what they stick out of.
   Cut_set cuts_of_automatic_segments(std::vector<Index>& tips)
   {
-    const Component_segments segments(m_graphs, memo(), *m_beam.best(automatic_number()), m_options, m_execution);
+    const Component_segments segments = this->segments(*m_beam.best(automatic_number()));
     const std::vector<Protrusion<Index>> protrusions = describe(segments);
     const auto segment_of = [&](Index tip) // the end of a protrusion may lie in another one that sticks out of it
     {
@@ -157,16 +166,10 @@ private:
 
   std::vector<Index> tips_of(const Cut_set& set)
   {
-    const Component_segments segments(m_graphs, memo(), set, m_options, m_execution);
     std::vector<Index> tips;
-    for (const Protrusion<Index>& protrusion : describe(segments))
+    for (const Protrusion<Index>& protrusion : describe(segments(set)))
       tips.push_back(protrusion.tip);
     return tips;
-  }
-
-  std::vector<Protrusion<Index>> describe(const Component_segments& segments) const
-  {
-    return Protrusion_describer(m_surface, m_graphs, segments, m_execution.is_parallel())();
   }
 
   const Indexed_surface& m_surface;

@@ -5,83 +5,14 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_OPTIONS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_OPTIONS_H
 
-#include <CGAL/number_utils.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_weights.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL::Protrusion_segmentation::internal {
-
-// What a cut says of itself, see `Clues_of_cut`. All clues are independent of scale.
-struct Cut_clues
-{
-  double concave_share;    // share of the cut's length that lies in a concave seam
-  double relative_length;  // log of the length relative to the square root of the smaller side's area; earlier borders of a sheet count
-  double segment_size;     // log of the segment's share of the area of the component
-  double larger_widening;  // log of the area of a strip beside the cut relative to a straight one,
-  double smaller_widening; // of the two sides
-  double larger_shoulder;  // growth of the opening over such a strip, relative to the strip's area: 1 in
-  double smaller_shoulder; // a wall that a rod sticks out of, 0 along the rod, -1 at its end; of the two sides
-  double roundness;        // log of the area of the opening relative to a circle of the cut's length
-  double neighbors;        // log of the length of earlier borders around the smaller side relative to the cut
-  double mean_cost;        // log of the cost of a unit of length
-  double thickness;        // log of the volume of the smaller side relative to its area and opening
-  double pocket;           // of a smaller side that goes into the body, its volume relative to its area and opening, else 0
-  double several_loops;    // 1 if the cut consists of several loops, else 0
-  double flatness;         // of the area of the smaller side, the share that faces one way and not the
-                           // other: 1 of a piece of a plane, 1/2 of a half sphere, near 0 of a limb; 0 of the limb of a sheet
-};
-
-// The weights of the clues, fitted to human segmentations of three quarters of the development models of the Princeton
-// benchmark by `fit_cut_weights`. Decisions and figures are in decisions.md of the benchmark.
-struct Cut_weights
-{
-  double bias = -2.5;
-  double concave_share = 6;
-  double relative_length = -3.7;
-  // of a cut that leaves six times as much tube as it is wide: shorter cuts across a smooth tube say no more
-  double least_relative_length = -0.3;
-  double segment_size = 0.8;
-  double larger_widening = 2.4;
-  double smaller_widening = -0.2;
-  double larger_shoulder = 8;
-  double least_larger_shoulder = 0.1; // less is a tube that widens by chance
-  double largest_larger_shoulder = 0.3;
-  double smaller_shoulder = 1;
-  double roundness = -0.6;
-  double neighbors = -1;
-  double surrounded = -3; // what has little but earlier borders around it is a part of the core between limbs
-  double most_neighbors = 1.2;
-  double mean_cost = -0.8;
-  double thickness = 0.3;
-  double pocket = -10; // what goes in is no protrusion
-  double several_loops = -1.2;
-  double flatness = -12; // a hill, a scale or a pocket faces one way as a whole and is no protrusion
-  double least_flatness = 0.6;
-
-  // What the clues say together, as the logarithm of odds.
-  double operator()(const Cut_clues& clues) const
-  {
-    const double shoulder = (std::min)(largest_larger_shoulder, (std::max)(least_larger_shoulder, clues.larger_shoulder));
-    return bias + concave_share * clues.concave_share +
-           relative_length * (std::max)(least_relative_length, clues.relative_length) +
-           segment_size * clues.segment_size + larger_widening * clues.larger_widening +
-           smaller_widening * clues.smaller_widening + larger_shoulder * shoulder +
-           smaller_shoulder * clues.smaller_shoulder + roundness * clues.roundness + neighbors * clues.neighbors +
-           surrounded * (std::max)(0., clues.neighbors - most_neighbors) +
-           mean_cost * clues.mean_cost + thickness * clues.thickness +
-           pocket * clues.pocket + several_loops * clues.several_loops + flatness * (std::max)(0., clues.flatness - least_flatness);
-  }
-};
-
-// Whether a cut marks a place of the surface. Others, of which a bent tube is full, say where to divide what must be divided.
-inline bool is_distinct(const Cut_clues& clues)
-{
-  constexpr double least_widening = 0.15; // or shoulder; the bends of springs and knots reach .11
-  constexpr double deep_seam = -1.5;      // a cost of a fifth
-  return (std::max)(clues.larger_widening, clues.larger_shoulder) > least_widening || clues.mean_cost < deep_seam;
-}
 
 // The constants of the default method that a benchmark may vary. Lengths are in units of the square root of
 // the area of the surface. All were chosen on three quarters of the development models of the Princeton benchmark and lie
@@ -115,20 +46,6 @@ struct Cut_options
   }
 };
 
-inline double logistic(double log_odds)
-{
-  return 1 / (1 + std::exp(-log_odds));
-}
-
-// The probability that people put two points on different sides of a border into different segments. The log odds that cuts
-// are chosen by overestimate it, since the best of many cuts is chosen: both constants calibrate them (`border_probabilities`).
-inline double probability_of_border(double log_odds)
-{
-  constexpr double probability_bias = 0.53;
-  constexpr double probability_slope = 0.25;
-  return logistic(probability_bias + probability_slope * log_odds);
-}
-
 // Over what radius normals are averaged, in units of the square root of the area, and how wide seams are by that. Of normals,
 // between .015 and .05 without effect.
 constexpr double normal_radius = 0.03;
@@ -146,6 +63,13 @@ inline bool is_large_enough(double area, double segment_area)
 inline double cost_for_area(double cost, double area)
 {
   return cost / (std::sqrt(area) * std::sqrt(std::sqrt(area)));
+}
+
+// That of a cut, for the area of its smaller side; infinite if a side is too small to be a segment.
+inline double relative_cost(double cost, double area, double segment_area)
+{
+  return is_large_enough(area, segment_area) ? cost_for_area(cost, (std::min)(area, segment_area - area))
+                                             : std::numeric_limits<double>::infinity();
 }
 
 } // namespace CGAL::Protrusion_segmentation::internal

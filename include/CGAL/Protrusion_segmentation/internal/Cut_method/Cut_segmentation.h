@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <queue>
@@ -44,7 +45,7 @@ public:
   Cut_segmentation(const Indexed_surface& surface,
                    const std::optional<Any_distance>& distance,
                    Execution& execution,
-                   const Cut_options& options = default_options())
+                   const Cut_options& options = {})
     : m_surface(surface),
       m_distance(distance),
       m_execution(execution),
@@ -100,12 +101,6 @@ public:
   }
 
 private:
-  static const Cut_options& default_options()
-  {
-    static const Cut_options options;
-    return options;
-  }
-
   static double share(std::size_t i, std::size_t n) { return static_cast<double>(i) / static_cast<double>(n); }
 
   // A component while it is segmented.
@@ -179,8 +174,7 @@ private:
   void finish(std::size_t c, const Loaded& loaded, const Cut_set& set)
   {
     const Stage_scope stage(m_execution.observer(), Stage::LABELS);
-    const Component_segments segments(loaded.component->graphs(), loaded.component->memo(), set, m_options, m_execution,
-                                      loaded.component->coarser_than(set));
+    const Component_segments segments = loaded.component->segments(set, loaded.component->coarser_than(set));
     const Index first = static_cast<Index>(m_parents.size()) - 1; // plus the number of a protrusion
     const auto id = [first, c](std::size_t s) { return static_cast<Index>(s == 0 ? c : first + s); };
     for (std::size_t f = 0; f < segments.labels().size(); ++f)
@@ -203,9 +197,7 @@ private:
   void add_protrusions(std::size_t c, const Loaded& loaded, const Component_segments& segments, Id id)
   {
     const double unit = loaded.own ? loaded.own->unit() : 1;
-    const Indexed_surface& surface = loaded.own ? loaded.own->surface() : m_surface;
-    const Protrusion_describer describe(surface, loaded.component->graphs(), segments, m_execution.is_parallel());
-    for (Protrusion<Index>& protrusion : describe())
+    for (Protrusion<Index>& protrusion : loaded.component->describe(segments))
     {
       protrusion.tip = face_of_surface(c, loaded, protrusion.tip);
       protrusion.border_distance *= unit;
@@ -233,7 +225,7 @@ private:
   const Indexed_surface& m_surface;
   const std::optional<Any_distance>& m_distance;
   Execution& m_execution;
-  const Cut_options& m_options;
+  Cut_options m_options;
   Nested_segments m_components;
   std::optional<Face_selector<Indexed_surface>> m_select; // if there are several components
   std::vector<Index> m_labels;  // of every face

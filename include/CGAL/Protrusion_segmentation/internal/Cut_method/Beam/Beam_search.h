@@ -8,10 +8,10 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/number_of_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/number_of_segments.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -58,7 +58,7 @@ public:
     return &m_best[number_of_segments - 1];
   }
 
-  // The same; none if one of the cuts gains as little as `Cut_options::least_protrusion`.
+  // The same, but cuts that gain less than `Cut_options::least_protrusion` are not searched for.
   const Cut_set* best_protrusions(std::size_t number_of_segments)
   {
     while (m_best.size() < number_of_segments)
@@ -67,19 +67,17 @@ public:
     return &m_best[number_of_segments - 1];
   }
 
-  // One if hardly any of the cuts is distinct: a tube is one piece, however it is bent. `step(n)` makes an object that lives
-  // while segment n + 1 is looked for.
+  // `step(n)` makes an object that lives while segment n + 1 is looked for.
   template <typename Step>
   std::size_t automatic_number(Step step)
   {
-    const std::size_t number = automatic_number_of_segments(
+    return automatic_number_of_segments(
       [&](std::size_t n) -> std::optional<double>
       {
         [[maybe_unused]] const auto lives = step(n);
         return best_protrusions(n + 1) ? std::optional<double>(gain(n + 1)) : std::nullopt;
       },
-      m_options);
-    return has_distinct_cuts(*best(number)) ? number : 1;
+      [this](std::size_t n) -> const Cut_set& { return *best(n); }, m_options);
   }
 
   // What the last of a number of segments gains, of those that were asked for.
@@ -90,18 +88,6 @@ public:
 
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-
-  static bool has_distinct_cuts(const Cut_set& set)
-  {
-    constexpr double least_share = 0.15; // of the value: one cut in a rough tube may be distinct by chance
-    double of_distinct = 0, of_all = 0;
-    for (const Cut_set::Made_cut& cut : set.cuts)
-    {
-      of_all += cut.value;
-      of_distinct += cut.is_distinct ? cut.value : 0;
-    }
-    return of_distinct > least_share * of_all;
-  }
 
   // A further cut of a set, one of a segment's cuts, and the value of the set with it.
   struct Choice

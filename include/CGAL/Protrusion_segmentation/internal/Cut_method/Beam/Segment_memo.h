@@ -6,11 +6,10 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_SEGMENT_MEMO_H
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <deque>
 #include <map>
 #include <utility>
@@ -35,7 +34,7 @@ struct Cut_set
   std::vector<Made_cut> cuts;  // in the order in which they were made
   double value = 0;            // sum of those of the cuts
 
-  // The segments in the order of the cuts that made them, the smaller side of a cut first. That order comes from the
+  // The segments in the order of the cuts that made them, the inner side of a cut first. That order comes from the
   // shape alone, not from how its faces and nodes are numbered.
   std::vector<Index> in_order_of_cuts() const
   {

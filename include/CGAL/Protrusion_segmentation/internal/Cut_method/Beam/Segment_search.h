@@ -13,9 +13,9 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Candidates/regions.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Candidates/tip_orders.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/Thread_workspaces.h>

@@ -7,9 +7,9 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Candidates/level_sets.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Candidates/regions.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 
 #include <CGAL/assertions.h>
 

@@ -5,9 +5,9 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CANDIDATES_LEVEL_SETS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CANDIDATES_LEVEL_SETS_H
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 
 #include <cstddef>
@@ -47,9 +47,7 @@ public:
     for (Index node : order)
     {
       Component& component = m_components[absorb(node, partition)];
-      if (!is_large_enough(component.area, segment_area))
-        continue;
-      const double cost = cost_for_area(component.cost, (std::min)(component.area, segment_area - component.area));
+      const double cost = relative_cost(component.cost, component.area, segment_area);
       if (cost < component.best)
       {
         component.best = cost;
@@ -112,12 +110,11 @@ private:
     {
       add(m_components[a]);
       add(m_components[b]);
+      m_components[a].best = m_components[b].best = infinity;
     }
     Component larger = m_components[m_components[a].area < m_components[b].area ? b : a];
     larger.area = m_components[a].area + m_components[b].area;
     larger.cost = m_components[a].cost + m_components[b].cost;
-    if (a_counts == b_counts)
-      larger.best = infinity;
     const Index root = m_sets.link(a, b);
     m_components[root] = larger;
     return root;

@@ -5,13 +5,12 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CANDIDATES_REGIONS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CANDIDATES_REGIONS_H
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 
 #include <boost/container/flat_map.hpp>
 
 #include <algorithm>
-#include <cstddef>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -106,9 +105,9 @@ private:
       cluster.affinity.clear();
       cluster.affinity.reserve(m_graph.arcs(nodes[i]).size());
       for (Index arc : m_graph.arcs(nodes[i]))
-        if (partition.is_selected(m_graph.target[arc]) && m_graph.target[arc] != nodes[i])
+        if (partition.is_selected(m_graph.target[arc]))
         {
-          cluster.affinity.emplace_hint(cluster.affinity.end(), m_number[m_graph.target[arc]], 0.)->second += m_graph.capacity[arc];
+          cluster.affinity[m_number[m_graph.target[arc]]] += m_graph.capacity[arc];
           cluster.cost += m_graph.capacity[arc];
         }
     }
@@ -146,12 +145,9 @@ private:
     m_next[to.last] = b;
     to.last = from.last;
     to.best = best;
-    if (is_large_enough(to.area, m_segment_area))
-    {
-      const double cost = cost_for_area(to.cost, (std::min)(to.area, m_segment_area - to.area));
-      if (cost < to.best.relative_cost)
-        to.best = {cost, a, to.number_of_nodes};
-    }
+    const double cost = relative_cost(to.cost, to.area, m_segment_area);
+    if (cost < to.best.relative_cost)
+      to.best = {cost, a, to.number_of_nodes};
     move_affinities(a, b);
   }
 

@@ -7,9 +7,9 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 
 #include <algorithm>
 #include <cmath>

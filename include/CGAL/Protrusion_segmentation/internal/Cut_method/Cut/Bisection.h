@@ -5,19 +5,17 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_BISECTION_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_BISECTION_H
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 
 #include <algorithm>
-#include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// A segment and a cut that divides it: the one place where the inner side of a cut exists, as a list of nodes and marked in a
-// partition at the same time.
+// A segment, divided in two by a cut. After each call the list of the nodes of the inner side, which has at most half of the area, and
+// their marks in a partition agree.
 class Bisection
 {
 public:
@@ -34,7 +32,6 @@ public:
   const Segment& segment() const { return m_segment; }
   const Nodes& inner() const { return m_inner; } // ascending
   double inner_area() const { return m_inner_area; }
-  double smaller_area() const { return (std::min)(m_inner_area, m_segment.area - m_inner_area); }
   bool has_large_sides() const { return is_large_enough(m_inner_area, m_segment.area); }
 
   // Makes these nodes the inner side, or their complement if that is smaller, and both sides connected.
@@ -49,14 +46,11 @@ public:
     take_smaller(std::move(side));
   }
 
-  // The cost of the cut relative to the smaller side's area, infinite if a side is too small to be a segment.
   double relative_cost() const
   {
-    if (!has_large_sides())
-      return std::numeric_limits<double>::infinity();
     double cost = 0;
     m_partition.for_each_arc_of_cut(m_inner, [&](Index arc, Index, Index) { cost += graph().capacity[arc]; });
-    return cost_for_area(cost, smaller_area());
+    return internal::relative_cost(cost, m_inner_area, m_segment.area);
   }
 
 private:

@@ -7,12 +7,12 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Bisection.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_clues.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Local_connectivity.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/minimum_cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ namespace CGAL::Protrusion_segmentation::internal {
 // A cut of a segment in two connected sides.
 struct Cut
 {
-  Nodes inner;              // the side of smaller area
+  Nodes inner;              // of smaller area, or with the tip that was given
   double root_of_areas = 0; // of the product of the areas of both sides
   Cut_clues clues = {};
   double value = 0;         // higher is better, below 0 it separates what belongs together

@@ -6,9 +6,9 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CUT_CLUES_H
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Bisection.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
 
 #include <CGAL/number_utils.h>
 
@@ -55,7 +55,7 @@ public:
   {
     constexpr double strip_width = 0.4; // relative to the square root of the smaller area
     constexpr double least_widening = 1e-6;
-    const double width = strip_width * std::sqrt(bisection.smaller_area());
+    const double width = strip_width * std::sqrt(bisection.inner_area());
     const Graph_partition& partition = bisection.partition();
     const Nodes_by_distance near_nodes = m_distances(
       along_cut, [&](Index, Index to) { return partition.is_on_side(to, inner); }, m_graph.lengths(),
@@ -114,8 +114,7 @@ public:
   Clues_of_cut(const Volume_graph& graph, const Bisection& bisection)
     : m_graph(graph),
       m_bisection(bisection),
-      m_smaller_area(bisection.smaller_area()),
-      m_inner_is_smaller(2 * bisection.inner_area() <= bisection.segment().area)
+      m_smaller_area(bisection.inner_area())
   {
     measure_cut();
     measure_smaller_side();
@@ -193,16 +192,14 @@ private:
     m_cost = (std::max)(m_cost, least_length);
     m_centre = moment / m_length;
     m_opening -= cross_product(m_centre, ends) / 2; // a cone over the cut, also if this ends at the border of the surface
-    m_along_surface_border = m_inner_is_smaller ? ends : -ends;
+    m_along_surface_border = ends;
   }
 
   void measure_smaller_side()
   {
     const Graph_partition& partition = m_bisection.partition();
-    for (Index i : m_bisection.segment().nodes)
+    for (Index i : m_bisection.inner())
     {
-      if (partition.is_inner(i) != m_inner_is_smaller)
-        continue;
       m_area_vector += m_graph.area_vector[i];
       m_flux += m_graph.flux[i];
       for (Index arc : m_graph.arcs(i))
@@ -235,7 +232,6 @@ private:
   const Volume_graph& m_graph;
   const Bisection& m_bisection;
   double m_smaller_area;
-  bool m_inner_is_smaller;
   double m_concave_length = 0, m_folded_length = 0, m_length = 0, m_cost = 0; // of the cut
   Vector_3 m_opening{0, 0, 0}, m_centre{0, 0, 0};        // of the cut
   // along the border of the surface around the smaller side, from its end to its beginning: all borders of a side are closed

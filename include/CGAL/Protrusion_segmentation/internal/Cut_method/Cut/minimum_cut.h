@@ -5,15 +5,14 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_MINIMUM_CUT_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_MINIMUM_CUT_H
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 
 #include <CGAL/boost/graph/Alpha_expansion_MaxFlow_tag.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <limits>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {

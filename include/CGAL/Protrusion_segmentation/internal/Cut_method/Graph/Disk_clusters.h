@@ -20,7 +20,6 @@
 #include <functional>
 #include <limits>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {

@@ -10,7 +10,7 @@
 #include <boost/range/irange.hpp>
 
 #include <algorithm>
-#include <cstddef>
+#include <cmath>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
@@ -51,6 +51,12 @@ struct Dual_graph
     return [this](Index arc) { return length[arc]; };
   }
 };
+
+// That of a graph: the square root of the area of the surface.
+inline double unit_of_length(const Indexed_surface& surface)
+{
+  return surface.area() > 0 ? std::sqrt(surface.area()) : 1;
+}
 
 // The centres of the nodes of a graph, in its unit of length, around the centre of the surface.
 using Centres = std::vector<Simple_cartesian<float>::Point_3>;

@@ -10,10 +10,11 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Disk_clusters.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarse_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Seam_finder.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarsen_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/contract_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/make_dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/measure_coarse_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 
 #include <numeric>
@@ -49,8 +50,9 @@ struct Graphs_of_surface
   }
 
 private:
-  // The structure of a shape of up to some dozen parts shows in that many nodes; with more, details come to the fore.
-  static constexpr Index nodes_of_coarse_graph = 2000;
+  // A graph of as few nodes is its own coarse graph; of a larger one disks are made, about as many. The structure of a shape of
+  // up to some dozen parts shows in them; with more, details come to the fore.
+  static constexpr Index largest_coarse_graph = 2000;
   // A larger graph is divided into groups first, forty in a disk: clusters of these are as steady, and their time does
   // not grow with the number of faces.
   static constexpr Index number_of_groups = 80000;
@@ -80,8 +82,8 @@ private:
   // The clusters of the nodes of a graph: itself if it is small.
   static Clusters disks(const Seam_graph& graph, const Centres& centre, Execution& execution)
   {
-    if (graph.number_of_nodes() > nodes_of_coarse_graph)
-      return Disk_clusters(graph, centre)(2 * nodes_of_coarse_graph, execution);
+    if (graph.number_of_nodes() > largest_coarse_graph)
+      return Disk_clusters(graph, centre)(2 * largest_coarse_graph, execution);
     Clusters single;
     single.number = graph.number_of_nodes();
     single.of_node.resize(single.number);

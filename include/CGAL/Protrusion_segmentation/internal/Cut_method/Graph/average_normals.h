@@ -11,34 +11,11 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/diffusion.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <utility>
 
 namespace CGAL::Protrusion_segmentation::internal {
-
-// Whether the surface has a border.
-inline bool is_open(const Indexed_surface& surface)
-{
-  for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
-    for (Indexed_surface::Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
-      if (surface.neighbor(c) == Indexed_surface::no_face())
-        return true;
-  return false;
-}
-
-// Calls `visit(f, c)` for the faces f and their corners c from which an edge of the border goes.
-template <typename Visit>
-void for_each_border_corner(const Indexed_surface& surface, Visit visit)
-{
-  for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
-    for (Indexed_surface::Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
-      if (surface.neighbor(c) == Indexed_surface::no_face())
-        visit(f, c);
-}
 
 // Scales each vector to length 1; where it vanishes, it stays the zero vector.
 inline void normalize(Triples& vectors, bool is_parallel)
@@ -52,81 +29,6 @@ inline void normalize(Triples& vectors, bool is_parallel)
                       x = length > 0 ? x / length : 0;
                   });
 }
-
-// A roof over an open surface that falls towards the border. Of a sheet only the outline shows what sticks out, of a scan from
-// one side much of it: at a concave corner of the border the roof has a valley, which is a seam from there into the sheet.
-class Border_roof
-{
-public:
-  using Index = Indexed_surface::Index;
-  using Vector_3 = Indexed_surface::Vector_3;
-
-  Border_roof(const Indexed_surface& surface, Execution& execution) : m_surface(surface), m_execution(execution) {}
-
-  // For each face the direction in which the roof falls, along the surface, as long as its slope. `graph` is the dual graph of
-  // the surface, `centre` its centres, `normals` its averaged normals
-  Triples operator()(const Dual_graph& graph, const Centres& centre, const Triples& normals) const
-  {
-    Triples directions = directions_at_border(normals);
-    Multilevel_diffusion(radius, m_execution)(graph, centre, directions);
-    for (std::size_t f = 0; f < normals.size(); ++f)
-    {
-      const Vector_3 normal = vector(normals[f]), direction = vector(directions[f]);
-      const Vector_3 tangential = direction - (direction * normal) * normal; // it may have come around an edge
-      directions[f] = triple(steepness / (std::max)(1., std::sqrt(tangential.squared_length())) * tangential);
-    }
-    return directions;
-  }
-
-private:
-  static Vector_3 vector(const Triple& t) { return {t[0], t[1], t[2]}; }
-
-  // Over which directions at the border are averaged, in units of the square root of the area. With .2 terrain is cut, with .1
-  // arms are cut in two.
-  static constexpr double radius = 0.15;
-
-  // A border that is shorter, in units of the square root of the area, is that of a hole or of a limb's end and has no roof: it
-  // says nothing of the outline.
-  static constexpr double longest_hole = 0.4;
-
-  // The slope of the roof where directions have at least length 1, which is near the border. From 1.75 to 2.5 there is little
-  // difference.
-  static constexpr double steepness = 2;
-
-  // For each vertex, the length of the part of the border that it lies on, 0 if on none.
-  std::vector<double> lengths_of_borders() const
-  {
-    Disjoint_sets parts(m_surface.number_of_vertices());
-    for_each_border_corner(m_surface, [&](Index f, Index c)
-                           { parts.union_set(m_surface.vertex(c), m_surface.vertex(m_surface.next_corner(f, c))); });
-    std::vector<double> lengths(m_surface.number_of_vertices(), 0);
-    for_each_border_corner(m_surface, [&](Index f, Index c) { lengths[parts.find_set(m_surface.vertex(c))] += m_surface.edge_length(f, c); });
-    for (Index v = 0; v < lengths.size(); ++v)
-      lengths[v] = lengths[parts.find_set(v)];
-    return lengths;
-  }
-
-  // Outwards in the faces at the border. After diffusion over the radius a straight border has directions of length 4.
-  Triples directions_at_border(const Triples& normals) const
-  {
-    const double unit = std::sqrt(m_surface.area());
-    const std::vector<double> lengths = lengths_of_borders();
-    Triples result(m_surface.number_of_faces(), {0, 0, 0});
-    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-    {
-      Vector_3 border(0, 0, 0);
-      for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
-        if (m_surface.neighbor(c) == Indexed_surface::no_face() && lengths[m_surface.vertex(c)] >= longest_hole * unit)
-          border += m_surface.point(m_surface.vertex(m_surface.next_corner(f, c))) - m_surface.point(m_surface.vertex(c));
-      if (m_surface.area(f) > 0)
-        result[f] = triple(cross_product(border, vector(normals[f])) * (2 * radius * unit / m_surface.area(f)));
-    }
-    return result;
-  }
-
-  const Indexed_surface& m_surface;
-  Execution& m_execution;
-};
 
 // The unit normals of the faces, each the average over a radius around it. `graph` is the dual graph of the surface.
 inline Triples

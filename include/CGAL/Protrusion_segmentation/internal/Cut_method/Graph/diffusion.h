@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <numeric>
 #include <optional>
@@ -209,18 +208,12 @@ private:
   void diffuse(const Dual_graph& graph, const Centres& centre, double scale, double time, Values& values) const
   {
     const double least_number_of_groups = 1 / CGAL::square(largest_group * m_radius);
-    if (graph.number_of_nodes() < 2 * least_number_of_groups)
-    {
-      diffuse_twice(graph, scale, time, values);
-      return;
-    }
-    const std::optional<double> time_between_groups = diffuse_groups(
-      graph, centre, scale, time, static_cast<Index>((std::max)(graph.number_of_nodes() / 4., least_number_of_groups)), values);
+    std::optional<double> time_between_groups;
+    if (graph.number_of_nodes() >= 2 * least_number_of_groups)
+      time_between_groups = diffuse_groups(
+        graph, centre, scale, time, static_cast<Index>((std::max)(graph.number_of_nodes() / 4., least_number_of_groups)), values);
     if (!time_between_groups)
-    {
-      diffuse_twice(graph, scale, time, values);
-      return;
-    }
+      return diffuse_twice(graph, scale, time, values);
     constexpr double tolerance = 1e-2;
     Diffusion(graph, *time_between_groups, scale, m_execution.is_parallel())(values, tolerance, m_execution);
   }

@@ -5,68 +5,14 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_MAKE_DUAL_GRAPH_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_MAKE_DUAL_GRAPH_H
 
-#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/average_normals.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <map>
-#include <utility>
-#include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
-
-// Three times the signed volume of what closes a surface: each hole, the edges of a border that are connected, gets a fan
-// around its own centroid. A centre common to all holes would turn open surfaces inside out.
-inline double signed_volume_of_holes(const Indexed_surface& surface)
-{
-  using Index = Indexed_surface::Index;
-  const Indexed_surface::Point_3 origin(0, 0, 0);
-  std::vector<std::pair<Index, Index>> edges; // of the border, by their vertices
-  for_each_border_corner(surface, [&](Index f, Index c)
-                         { edges.emplace_back(surface.vertex(c), surface.vertex(surface.next_corner(f, c))); });
-  if (edges.empty())
-    return 0;
-  Disjoint_sets holes(surface.number_of_vertices());
-  for (const auto& [a, b] : edges)
-    holes.union_set(a, b);
-  std::map<Index, std::pair<Indexed_surface::Vector_3, double>> moments; // of every hole, with its length
-  for (const auto& [a, b] : edges)
-  {
-    auto& [moment, length] = moments.try_emplace(holes.find_set(a), Indexed_surface::Vector_3(0, 0, 0), 0.).first->second;
-    const double l = std::sqrt(squared_distance(surface.point(a), surface.point(b)));
-    moment += l * ((surface.point(a) - origin) + (surface.point(b) - origin)) / 2;
-    length += l;
-  }
-  double volume = 0;
-  for (const auto& [a, b] : edges)
-  {
-    const auto& [moment, length] = moments.at(holes.find_set(a));
-    if (length > 0) // a triangle b, a, centroid
-      volume += cross_product(surface.point(b) - origin, surface.point(a) - origin) * (moment / length) / 2;
-  }
-  return volume;
-}
-
-// Three times the signed volume of a surface, closed where it has holes.
-inline double signed_volume(const Indexed_surface& surface, bool is_parallel)
-{
-  const Indexed_surface::Point_3 origin(0, 0, 0);
-  return signed_volume_of_holes(surface) +
-         add_numbers(surface.number_of_faces(), is_parallel, 0., [&](double& sum, Indexed_surface::Index f)
-                     { sum += surface.area_vector(f) * (surface.centroid(f) - origin); });
-}
-
-inline double unit_of_length(const Indexed_surface& surface)
-{
-  return surface.area() > 0 ? std::sqrt(surface.area()) : 1;
-}
 
 // The centroids of the faces, around the centre of gravity of the surface and in units of the square root of its area.
 inline Centres centres_of_faces(const Indexed_surface& surface, bool is_parallel)
@@ -136,91 +82,6 @@ private:
 
   const Indexed_surface& m_surface;
   double m_unit;
-};
-
-// Finds the seams of a surface: an edge is concave if the averaged normals of its two faces lean towards each other. The sign
-// of the volume decides which side is inside.
-class Seam_finder
-{
-public:
-  using Index = Indexed_surface::Index;
-
-  // The arguments must outlive the object.
-  Seam_finder(const Indexed_surface& surface, const Cut_options& options, Execution& execution)
-    : m_surface(surface), m_options(options), m_execution(execution)
-  {}
-
-  // `graph` has all of a dual graph, `centre` its centres.
-  void operator()(Seam_graph& graph, const Centres& centre) const
-  {
-    graph.outward = signed_volume(m_surface, m_execution.is_parallel()) < 0 ? -1 : 1;
-    const Triples normals = average_normals(m_surface, graph, centre, m_execution);
-    Triples roof; // of an open surface
-    if (is_open(m_surface))
-      roof = Border_roof(m_surface, m_execution)(graph, centre, normals);
-    for (std::vector<float>* weights : {&graph.curvature, &graph.concave_length, &graph.folded_length, &graph.capacity})
-      weights->resize(graph.target.size());
-    for_each_number(graph.number_of_nodes(), m_execution.is_parallel(),
-                    [&](Index f)
-                    {
-                      for (Index arc : graph.arcs(f))
-                        weigh(graph, arc, curvature(graph, f, arc, normals), roof.empty() ? 0 : valley(graph, f, arc, roof));
-                    });
-  }
-
-private:
-  static constexpr double largest_curvature = 60; // beyond it, a radius of 1/60, is tessellation
-
-  // Between the normals of two faces, positive where these lean towards each other.
-  double angle(Index f, Index g, const Triples& normals) const
-  {
-    const Triple &n = normals[f], &m = normals[g];
-    const Indexed_surface::Vector_3 turn(m[0] - n[0], m[1] - n[1], m[2] - n[2]);
-    // by the chord: the cosine of a small angle is inaccurate
-    const double size = 2 * std::asin((std::min)(1., std::sqrt(turn.squared_length()) / 2));
-    return turn * (m_surface.centroid(g) - m_surface.centroid(f)) < 0 ? size : -size;
-  }
-
-  // Of an arc, positive where concave. Where two patches meet there is a seam, and less of one inside a patch.
-  double curvature(const Seam_graph& graph, Index f, Index arc, const Triples& normals) const
-  {
-    constexpr double curvature_between_patches = 15, share_in_patch = 0.5; // decisions.md, "Contacts"
-    const Index g = graph.target[arc];
-    const double angle = graph.outward * this->angle(f, g, normals);
-    const double strength = (std::min)(largest_curvature, std::abs(angle) / graph.length[arc]);
-    const double curvature = angle > 0 ? strength : -strength;
-    if (!m_surface.has_patches())
-      return curvature;
-    return m_surface.patch(f) == m_surface.patch(g) ? share_in_patch * curvature
-                                                    : (std::max)(curvature, curvature_between_patches);
-  }
-
-  // The curvature of the roof across an arc where it falls from both faces towards each other, else 0: its ridges would hide folds of
-  // the surface beside the ends of pipes.
-  double valley(const Seam_graph& graph, Index f, Index arc, const Triples& roof) const
-  {
-    const Index g = graph.target[arc];
-    const Triple &p = roof[f], &q = roof[g];
-    const Indexed_surface::Vector_3 turn(p[0] - q[0], p[1] - q[1], p[2] - q[2]), step = m_surface.centroid(g) - m_surface.centroid(f);
-    const double length = std::sqrt(step.squared_length());
-    const double curvature = length > 0 ? turn * step / length / graph.length[arc] : 0;
-    return (std::max)(0., (std::min)(largest_curvature, curvature));
-  }
-
-  // `fold`: the curvature of the surface; `valley`: that of its roof
-  void weigh(Seam_graph& graph, Index arc, double fold, double valley) const
-  {
-    constexpr double seam_curvature = 2;     // from which on an edge lies in a seam: a radius of 1/2
-    const double curvature = fold + valley;
-    graph.curvature[arc] = static_cast<float>(curvature);
-    graph.concave_length[arc] = curvature > seam_curvature ? graph.border_length[arc] : 0;
-    graph.folded_length[arc] = fold > (std::max)(seam_curvature, valley) ? graph.border_length[arc] : 0;
-    graph.capacity[arc] = static_cast<float>(m_options.cost(graph.border_length[arc], curvature));
-  }
-
-  const Indexed_surface& m_surface;
-  const Cut_options& m_options;
-  Execution& m_execution;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
@@ -26,9 +25,8 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// The segments of a connected surface that a set of cuts makes: the faces of each and their tree. The body is segment 0. With the
-// last of the others given to their parents, the segments are near those of the best set of as many, if that is among the
-// `coarser` ones.
+// The segments of a connected surface that a set of cuts makes: the faces of each and their tree. The body is segment 0. If the last
+// segments are given to their parents, the rest is near the best set of as many segments, where `coarser` has it.
 class Component_segments
 {
 public:
@@ -66,11 +64,11 @@ public:
   // the cut whose border each has to its parent; none of the body
   const Cut_set::Made_cut* cut(std::size_t segment) const
   {
-    return m_cuts[segment] == no_cut ? nullptr : &m_set.cuts[m_cuts[segment]];
+    return m_cuts[segment] ? &m_set.cuts[*m_cuts[segment]] : nullptr;
   }
 
 private:
-  static constexpr std::size_t no_cut = (std::numeric_limits<std::size_t>::max)(); // that of the body
+  using Cuts = std::vector<std::optional<std::size_t>>; // of every segment, by their numbers in the set; none of the body
 
   // The segments that are left are the leaves of the tree of cuts.
   void number_leaves()
@@ -117,10 +115,10 @@ private:
       areas[m_labels[f]] += m_graphs.fine.area[f];
     const Segment_tree::Lengths lengths = Border_arcs(m_graphs.fine, m_labels, m_is_parallel).lengths();
     const Segment_tree tree(areas, lengths);
-    const std::vector<std::size_t> cuts = cuts_of_borders(tree, lengths);
+    const Cuts cuts = cuts_of_borders(tree, lengths);
     std::vector<Index> order(areas.size()); // by the cut, that of the body first
     std::iota(order.begin(), order.end(), Index(0));
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return cuts[a] + 1 < cuts[b] + 1; });
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return cuts[a] < cuts[b]; });
     order = order_with(tree, std::move(order), coarser);
     std::vector<Index> number(areas.size());
     for (Index s = 0; s < order.size(); ++s)
@@ -169,11 +167,10 @@ private:
 
   // Of every leaf the cut of its border to its parent: the one that separated the two. A cut that separated several gets the
   // longest of these borders. The others get the cuts that are left, if possible one within the segment of which they came.
-  std::vector<std::size_t> cuts_of_borders(const Segment_tree& tree,
-                                           const Segment_tree::Lengths& lengths) const
+  Cuts cuts_of_borders(const Segment_tree& tree, const Segment_tree::Lengths& lengths) const
   {
     const auto length = [&](Index leaf) { return lengths.at(std::minmax(leaf, tree.parent(leaf))); };
-    std::vector<std::size_t> result(number_of_segments(), no_cut);
+    Cuts result(number_of_segments());
     std::vector<bool> is_left(m_set.cuts.size(), true);
     for (const int nearness : {2, 1, 0})
       for (std::size_t c = m_set.cuts.size(); c-- > 0;)
@@ -183,7 +180,7 @@ private:
         const std::vector<int> side = sides_of(m_set.cuts[c]);
         std::optional<Index> longest;
         for (Index leaf = 0; leaf < result.size(); ++leaf)
-          if (leaf != tree.body() && result[leaf] == no_cut &&
+          if (leaf != tree.body() && !result[leaf] &&
               nearness_of(side, leaf, tree.parent(leaf)) >= nearness &&
               (!longest || length(leaf) > length(*longest)))
             longest = leaf;
@@ -221,7 +218,7 @@ private:
   std::vector<Index> m_segments_of_memo;        // of every segment
   std::vector<Index> m_parents;                 // of every segment
   std::vector<double> m_areas_beyond;           // of every segment
-  std::vector<std::size_t> m_cuts;              // of every segment
+  Cuts m_cuts;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -6,24 +6,23 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_RESULT_FACE_BORDERS_H
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Local_connectivity.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/minimum_cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Border_arcs.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <set>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// Around borders of the clusters of the coarse graph, and around such of groups of faces: three times the size of a group.
+// How far borders move: those of the coarse graph, and those of groups of faces, about three times the size of a group.
 constexpr Band band_of_clusters = {0.05, 1.4, 0.7};
 constexpr Band band_of_groups = {0.5, 1, 0.7, 0.01};
 
@@ -55,37 +54,22 @@ public:
   {
     constexpr int number_of_rounds = 2; // a border may change where another one meets it
     for (int round = 0; round < number_of_rounds; ++round)
-      for (const auto& [s, t] : neighbors(execution.is_parallel()))
+      for (const auto& border : Border_arcs(m_partition.graph(), labels(), execution.is_parallel()).lengths())
       {
         execution.check();
-        refine(s, t, band);
+        refine(border.first.first, border.first.second, band);
       }
+    return labels();
+  }
+
+private:
+  // the segment of every face
+  std::vector<Index> labels() const
+  {
     std::vector<Index> labels(m_partition.graph().number_of_nodes());
     for (Index f = 0; f < labels.size(); ++f)
       labels[f] = m_partition.label(f);
     return labels;
-  }
-
-private:
-  using Pairs = std::set<std::pair<Index, Index>>;
-
-  // All pairs of segments that share a border, the lower one first.
-  Pairs neighbors(bool is_parallel) const
-  {
-    const Seam_graph& graph = m_partition.graph();
-    std::vector<Pairs> blocks(number_of_blocks(graph.number_of_nodes()));
-    for_each_block(graph.number_of_nodes(), is_parallel,
-                   [&](std::size_t begin, std::size_t end, std::size_t block)
-                   {
-                     for (Index f = static_cast<Index>(begin); f < end; ++f)
-                       for (Index arc : graph.arcs(f))
-                         if (m_partition.label(f) < m_partition.label(graph.target[arc]))
-                           blocks[block].emplace(m_partition.label(f), m_partition.label(graph.target[arc]));
-                   });
-    Pairs result;
-    for (const Pairs& pairs : blocks)
-      result.insert(pairs.begin(), pairs.end());
-    return result;
   }
 
   // While a border moves, both segments are one, with two sides: the smaller one is the inner. No node is marked before

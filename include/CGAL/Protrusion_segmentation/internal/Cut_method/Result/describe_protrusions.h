@@ -7,10 +7,11 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/Protrusion.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_distances.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Border_arcs.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Component_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Segments/subtree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,21 +97,12 @@ private:
   // between what lies beyond a border and the rest
   double border_length(std::size_t s) const
   {
-    std::vector<bool> is_beyond;
-    for (std::size_t t = 0; t < m_segments.number_of_segments(); ++t)
-      is_beyond.push_back(sticks_out_of(t, s));
+    const std::vector<bool> is_beyond = subtree(static_cast<Index>(s), m_segments.parents());
     double length = 0;
     for (const Border_arcs::Arc& arc : m_borders.arcs())
       if (is_beyond[m_labels[arc.source]] && !is_beyond[m_labels[arc.target]])
         length += arc.length;
     return length;
-  }
-
-  bool sticks_out_of(std::size_t segment, std::size_t other) const
-  {
-    while (segment != other && segment != 0)
-      segment = m_segments.parents()[segment];
-    return segment == other;
   }
 
   const Component_segments& m_segments;

@@ -2,11 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_GRAPH_DISTANCES_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_GRAPH_DISTANCES_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_GRAPH_DISTANCES_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_GRAPH_DISTANCES_H
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Bucket_ring.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
 
@@ -41,7 +41,7 @@ public:
       m_ring(ring_for(graph, m_seam_lengths))
   {}
 
-  // Those of the graph, as a function of an arc, which must not outlive the object.
+  // The seam lengths, as a function of an arc that must not outlive the object.
   auto seam_lengths() const
   {
     return [lengths = m_seam_lengths.data()](Index arc) { return lengths[arc]; };
@@ -163,4 +163,4 @@ private:
 
 } // namespace CGAL::Protrusion_segmentation::internal
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_GRAPH_DISTANCES_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_GRAPH_DISTANCES_H

@@ -2,12 +2,11 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_COARSE_BORDERS_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_COARSE_BORDERS_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_MEASURE_COARSE_GRAPH_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_MEASURE_COARSE_GRAPH_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/make_dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 
@@ -186,4 +185,4 @@ inline void measure_volumes(const Indexed_surface& surface,
 
 } // namespace CGAL::Protrusion_segmentation::internal
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_COARSE_BORDERS_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_MEASURE_COARSE_GRAPH_H

@@ -8,7 +8,7 @@
 #include "dual_graphs.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarse_borders.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/measure_coarse_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/contract_graph.h>
 
 #include <cmath>

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_GRAPH_PARTITION_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_GRAPH_PARTITION_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_GRAPH_PARTITION_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_GRAPH_PARTITION_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
@@ -124,8 +124,8 @@ public:
     return {std::move(inside), std::move(outside)};
   }
 
-  // Whether some nodes, at least one, are connected over each other and their neighbors. Triangles around a vertex need
-  // these: not all of them share edges with each other.
+  // Whether some nodes, at least one, are connected by paths over themselves and their neighbors. Triangles around a vertex
+  // need these: not all of them share edges with each other.
   bool are_connected_nearby(const Nodes& nodes)
   {
     const std::uint32_t in_set = m_stamp + 1;
@@ -213,4 +213,4 @@ private:
 
 } // namespace CGAL::Protrusion_segmentation::internal
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_GRAPH_PARTITION_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_GRAPH_PARTITION_H
