@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <iostream>
 #include <map>
 #include <random>
 #include <utility>
@@ -192,6 +193,22 @@ void tapering_arms_are_whole()
   CGAL_CHECK(right >= 10);
 }
 
+// The same of few triangles, four to nine across the root of an arm: the zigzag of the outline is no place to cut, though it may be.
+void a_zigzag_has_no_corners()
+{
+  int right = 0;
+  for (const int arms : {3, 4, 5, 6})
+    for (const int cells : {44, 52, 60, 68})
+      for (const double turned : {0., 0.1, 0.2, 0.3, 0.4})
+      {
+        const Test_mesh mesh = star_with_tapering_arms(arms, cells, turned);
+        const Segmentation found = automatic_segmentation(mesh);
+        right += found.number == number_of_parts(mesh) && share_in_true_parts(mesh, found.labels) > 0.9;
+      }
+  std::cout << right << " of 80 coarse stars are right\n";
+  CGAL_CHECK(right >= 65);
+}
+
 // A figure with a head, arms and legs, whose parts are not alike.
 Test_mesh flat_figure(int cells)
 {
@@ -271,6 +288,7 @@ int main()
   no_parts_without_concave_corners();
   arms_are_parts();
   tapering_arms_are_whole();
+  a_zigzag_has_no_corners();
   figures_have_head_arms_and_legs();
   bent_sheets_have_the_parts_of_flat_ones();
   place_and_size_do_not_count();

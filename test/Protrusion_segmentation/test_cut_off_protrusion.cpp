@@ -125,43 +125,54 @@ void both_segments_are_connected()
 void extracted_segments_are_the_surface_of_their_faces()
 {
   const Indexed_surface surface = to_surface(sheet(4, 3));
-  Segment_extractor extract(surface);
+  Face_selector<Indexed_surface> select(surface);
   for (int repetition = 0; repetition < 2; ++repetition) // the work arrays are left clean
   {
-    const Extracted_segment extracted = extract({1, 2, 5, 6, 7});
-    CGAL_CHECK(extracted.faces == (Labels{1, 2, 5, 6, 7}));
-    CGAL_CHECK_EQUAL(extracted.surface.number_of_faces(), 5);
-    CGAL_CHECK_EQUAL(extracted.surface.number_of_vertices(), 11);
-    CGAL_CHECK_EQUAL(num_edges(extracted.surface.dual_graph()), 2 * 5);
-    CGAL_CHECK(extracted.is_on_cut == (std::vector<bool>{true, true, true, true, true}));
+    const Labels faces = {1, 2, 5, 6, 7};
+    const Indexed_surface extracted = select(faces).to_surface();
+    CGAL_CHECK_EQUAL(extracted.number_of_faces(), 5);
+    CGAL_CHECK_EQUAL(extracted.number_of_vertices(), 11);
+    CGAL_CHECK_EQUAL(num_edges(extracted.dual_graph()), 2 * 5);
     for (Index f = 0; f < 5; ++f)
     {
-      CGAL_CHECK(extracted.surface.centroid(f) == surface.centroid(extracted.faces[f]));
-      CGAL_CHECK_EQUAL(extracted.surface.area(f), surface.area(extracted.faces[f]));
+      CGAL_CHECK(extracted.centroid(f) == surface.centroid(faces[f]));
+      CGAL_CHECK_EQUAL(extracted.area(f), surface.area(faces[f]));
     }
   }
+  Labels all(12);
+  std::iota(all.begin(), all.end(), Index(0));
+  CGAL_CHECK_EQUAL(num_edges(select(all).to_surface().dual_graph()), num_edges(surface.dual_graph()));
 }
 
-// The border of the surface is no cut.
-void only_faces_beside_other_faces_are_on_the_cut()
+Labels faces_on_border(const Nested_segments& segments, const Indexed_surface& surface)
+{
+  Labels result;
+  for (Index f = 0; f < surface.number_of_faces(); ++f)
+    if (segments.is_on_border(surface, f))
+      result.push_back(f);
+  return result;
+}
+
+// The border of the surface is none of a segment.
+void only_faces_beside_other_segments_are_on_the_border()
 {
   const Indexed_surface surface = to_surface(sheet(5, 2));
-  const Extracted_segment left = Segment_extractor(surface)({0, 1, 2, 5, 6, 7});
-  CGAL_CHECK(left.is_on_cut == (std::vector<bool>{false, false, true, false, false, true}));
-  Labels all(10);
-  std::iota(all.begin(), all.end(), Index(0));
-  const Extracted_segment whole = Segment_extractor(surface)(all);
-  CGAL_CHECK(whole.is_on_cut == std::vector<bool>(10, false));
-  CGAL_CHECK_EQUAL(num_edges(whole.surface.dual_graph()), num_edges(surface.dual_graph()));
+  Nested_segments segments(surface);
+  CGAL_CHECK(faces_on_border(segments, surface).empty());
+  segments.cut_off(0, {0, 1, 2, 5, 6, 7});
+  CGAL_CHECK(faces_on_border(segments, surface) == (Labels{2, 3, 7, 8}));
+  const Indexed_surface small = to_surface(sheet(4, 3));
+  Nested_segments middle(small);
+  middle.cut_off(0, {1, 2, 5, 6, 7});
+  CGAL_CHECK(faces_on_border(middle, small) == (Labels{0, 1, 2, 3, 4, 5, 6, 7, 9, 10, 11}));
 }
 
 void extraction_keeps_the_order_that_is_asked_for()
 {
   const Indexed_surface surface = to_surface(bumpy_sphere(2, 3));
-  const Extracted_segment reversed = Segment_extractor(surface)({9, 3, 5});
-  CGAL_CHECK(reversed.faces == (Labels{9, 3, 5}));
-  CGAL_CHECK(reversed.surface.centroid(0) == surface.centroid(9));
-  CGAL_CHECK(reversed.surface.centroid(2) == surface.centroid(5));
+  const Indexed_surface reversed = Face_selector<Indexed_surface>(surface)({9, 3, 5}).to_surface();
+  CGAL_CHECK(reversed.centroid(0) == surface.centroid(9));
+  CGAL_CHECK(reversed.centroid(2) == surface.centroid(5));
 }
 
 Labels parents_of(const Nested_segments& segments)
@@ -213,7 +224,7 @@ int main()
   other_segments_are_left_alone();
   both_segments_are_connected();
   extracted_segments_are_the_surface_of_their_faces();
-  only_faces_beside_other_faces_are_on_the_cut();
+  only_faces_beside_other_segments_are_on_the_border();
   extraction_keeps_the_order_that_is_asked_for();
   segments_begin_with_the_components();
   what_is_cut_off_gets_the_next_number();

@@ -6,6 +6,7 @@
 
 #include "closed_parts.h"
 
+#include <CGAL/Protrusion_segmentation/closed_segments.h>
 #include <CGAL/Protrusion_segmentation/faired_closed_segments.h>
 #include <CGAL/protrusion_segmentation.h>
 
@@ -80,6 +81,22 @@ void test_faired_parts()
   check_faired_parts(arms, labels, 3, "random");
 }
 
+// A number that no face has is that of an empty part, in either kind of caps.
+void test_parts_without_faces()
+{
+  const auto ball = to_graph<Mesh>(icosphere(2));
+  Labels labels = labels_of_halves(ball, 2, 0);
+  for (std::size_t& label : labels)
+    label *= 2; // 0 and 2
+  check_faired_parts(ball, labels, 3, "ball without segment 1");
+  CGAL_CHECK(faired_parts(ball, labels, 3)[1].polygons.empty());
+  std::vector<Part> flat_parts;
+  CGAL::Protrusion_segmentation::closed_segments(ball, map_of(labels, ball), record_of(Labels(3, 0)),
+                                                 std::back_inserter(flat_parts));
+  CGAL_CHECK_EQUAL(flat_parts.size(), 3u);
+  CGAL_CHECK(flat_parts[1].polygons.empty());
+}
+
 // The first one between two segments.
 Mesh::Halfedge_index halfedge_at_border(const Mesh& mesh, const Labels& labels)
 {
@@ -150,6 +167,7 @@ void test_faired_parts_of_any_size()
 int main()
 {
   test_faired_parts();
+  test_parts_without_faces();
   test_faired_parts_of_degenerate_faces();
   test_faired_parts_of_degenerate_polygons();
   test_faired_parts_of_any_size();

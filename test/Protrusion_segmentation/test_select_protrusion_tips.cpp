@@ -13,7 +13,6 @@
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
-using internal::Tip_selection;
 
 std::unique_ptr<internal::Distances_on_surface> distances_on(const Indexed_surface& surface)
 {
@@ -21,27 +20,37 @@ std::unique_ptr<internal::Distances_on_surface> distances_on(const Indexed_surfa
 }
 
 const auto all_plausible = [](Index) { return true; };
-const auto no_visit = [](Index, const std::vector<double>&) {};
 
-Tip_selection tips_of(const Indexed_surface& surface, std::size_t count)
+// All that are visited.
+template <typename Plausible>
+std::vector<Index> tips_of(const Indexed_surface& surface,
+                           internal::Distances_on_surface& distances,
+                           std::size_t count,
+                           Plausible is_plausible)
 {
-  const auto distances = distances_on(surface);
-  return internal::select_protrusion_tips(surface, *distances, count, all_plausible, no_visit);
+  std::vector<Index> tips;
+  internal::select_protrusion_tips(surface, distances, count, is_plausible,
+                                   [&](Index tip, const std::vector<double>&) { tips.push_back(tip); });
+  return tips;
+}
+
+std::vector<Index> tips_of(const Indexed_surface& surface, std::size_t count)
+{
+  return tips_of(surface, *distances_on(surface), count, all_plausible);
 }
 
 // Each tip reaches the maximum of its equation, in the distances of all pairs.
 void check_equations(const Indexed_surface& surface, std::size_t count)
 {
   const auto d = all_pairs_distances(surface);
-  const Tip_selection selection = tips_of(surface, count);
-  CGAL_CHECK_EQUAL(selection.tips.size(), count);
-  CGAL_CHECK_EQUAL(selection.number_of_eliminated, 0);
+  const std::vector<Index> tips = tips_of(surface, count);
+  CGAL_CHECK_EQUAL(tips.size(), count);
 
   std::vector<double> value; // of every face, in the equation that selects the next tip
   for (const std::vector<double>& row : d)
     value.push_back(internal::distance_sum(row));
   bool first = true;
-  for (const Index tip : selection.tips)
+  for (const Index tip : tips)
   {
     CGAL_CHECK(value[tip] >= *std::max_element(value.begin(), value.end()) * (1 - 1e-12));
     for (std::size_t f = 0; f < value.size(); ++f)
@@ -65,7 +74,7 @@ void tips_of_a_star_are_at_the_ends_of_its_arms()
     const Test_mesh mesh = star(arms);
     const Indexed_surface surface = to_surface(mesh);
     std::set<std::size_t> parts;
-    for (const Index tip : tips_of(surface, arms).tips)
+    for (const Index tip : tips_of(surface, arms))
     {
       const std::size_t arm = mesh.parts[tip];
       parts.insert(arm);
@@ -80,31 +89,23 @@ void tips_of_a_star_are_at_the_ends_of_its_arms()
 
 void selection_ends_where_no_face_is_left()
 {
-  CGAL_CHECK_EQUAL(tips_of(to_surface(single_triangle()), 5).tips.size(), 1);
-  CGAL_CHECK_EQUAL(tips_of(to_surface(tetrahedron()), 9).tips.size(), 4);
-  CGAL_CHECK_EQUAL(tips_of(to_surface(scaled(tetrahedron(), 0)), 4).tips.size(), 1);
-  CGAL_CHECK_EQUAL(tips_of(to_surface(tetrahedron()), 0).tips.size(), 0);
+  CGAL_CHECK_EQUAL(tips_of(to_surface(single_triangle()), 5).size(), 1);
+  CGAL_CHECK_EQUAL(tips_of(to_surface(tetrahedron()), 9).size(), 4);
+  CGAL_CHECK_EQUAL(tips_of(to_surface(scaled(tetrahedron(), 0)), 4).size(), 1);
+  CGAL_CHECK_EQUAL(tips_of(to_surface(tetrahedron()), 0).size(), 0);
 }
 
-void implausible_tips_are_eliminated_and_counted()
+void implausible_tips_are_eliminated_and_do_not_count()
 {
   const Indexed_surface surface = to_surface(bumpy_sphere(3, 4));
-  const std::vector<Index> all = tips_of(surface, 7).tips;
+  const std::vector<Index> all = tips_of(surface, 7);
   const auto is_plausible = [&](Index face)
   { return (std::find(all.begin(), all.end(), face) - all.begin()) % 2 == 0; };
-  std::vector<Index> visited;
-  const auto visit = [&](Index face, const std::vector<double>&) { visited.push_back(face); };
   const auto distances = distances_on(surface);
-  const Tip_selection selection = internal::select_protrusion_tips(surface, *distances, 4, is_plausible,
-                                                                   visit);
-  CGAL_CHECK(visited == all); // an eliminated face still keeps the next ones away
-  CGAL_CHECK(selection.tips == (std::vector<Index>{all[0], all[2], all[4], all[6]}));
-  CGAL_CHECK_EQUAL(selection.number_of_eliminated, 3);
-
-  const Tip_selection none = internal::select_protrusion_tips(
-    surface, *distances, 4, [](Index) { return false; }, no_visit);
-  CGAL_CHECK(none.tips.empty());
-  CGAL_CHECK_EQUAL(none.number_of_eliminated, 4);
+  // four are plausible, and three are not; an eliminated face still keeps the next ones away
+  CGAL_CHECK(tips_of(surface, *distances, 4, is_plausible) == all);
+  // the fourth one that is eliminated is the last
+  CGAL_CHECK_EQUAL(tips_of(surface, *distances, 4, [](Index) { return false; }).size(), 4);
 }
 
 void each_tip_is_visited_with_its_distances()
@@ -120,9 +121,8 @@ void each_tip_is_visited_with_its_distances()
     CGAL_CHECK_EQUAL(from_tip.size(), surface.number_of_faces());
     CGAL_CHECK_EQUAL(from_tip[tip], 0);
   };
-  const Tip_selection selection = internal::select_protrusion_tips(surface, *distances, 5, all_plausible,
-                                                                   visit);
-  CGAL_CHECK(visited == selection.tips);
+  internal::select_protrusion_tips(surface, *distances, 5, all_plausible, visit);
+  CGAL_CHECK(visited == tips_of(surface, 5));
   // one run a tip after eq. (1), which leaves the distances of the first one
   CGAL_CHECK_EQUAL(distances->number_of_runs(), 2 * runs_of_search + 4);
 }
@@ -145,9 +145,7 @@ void distances_without_a_search_take_all_pairs()
 {
   const Indexed_surface surface = to_surface(random_surface(11));
   const auto plain = internal::Any_distance(Plain_distance()).on(surface, quiet_execution());
-  const Tip_selection selection = internal::select_protrusion_tips(surface, *plain, 3, all_plausible,
-                                                                   no_visit);
-  CGAL_CHECK(selection.tips == tips_of(surface, 3).tips);
+  CGAL_CHECK(tips_of(surface, *plain, 3, all_plausible) == tips_of(surface, 3));
   CGAL_CHECK_EQUAL(plain->number_of_runs(), surface.number_of_faces() + 3);
 }
 
@@ -156,7 +154,7 @@ int main()
   tips_maximize_both_equations();
   tips_of_a_star_are_at_the_ends_of_its_arms();
   selection_ends_where_no_face_is_left();
-  implausible_tips_are_eliminated_and_counted();
+  implausible_tips_are_eliminated_and_do_not_count();
   each_tip_is_visited_with_its_distances();
   distances_without_a_search_take_all_pairs();
   return check::result();

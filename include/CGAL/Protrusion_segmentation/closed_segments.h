@@ -12,8 +12,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <cstddef>
-
 namespace CGAL::Protrusion_segmentation {
 
 /*!

@@ -14,8 +14,6 @@
 
 #include <CGAL/Named_function_parameters.h>
 
-#include <cstddef>
-
 namespace CGAL::Protrusion_segmentation {
 
 /*!

@@ -6,10 +6,10 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SEGMENT_MESH_H
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/Segment_hierarchy.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 #include <CGAL/Protrusion_segmentation/internal/Mesh/Mesh_observer.h>
-#include <CGAL/Protrusion_segmentation/internal/Mesh/face_numbers.h>
 #include <CGAL/Protrusion_segmentation/internal/Mesh/named_parameters.h>
 #include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Mesh/write_segments.h>
@@ -21,7 +21,9 @@
 #include <CGAL/Named_function_parameters.h>
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -31,7 +33,7 @@ namespace CGAL::Protrusion_segmentation::internal {
 // The way of the data, the same for all public functions: the mesh becomes index arrays, these get their canonical
 // order, a method makes segments of them, and these go back to the mesh.
 
-// Whether a call is one to be compiled; if not, one sentence says why.
+// Whether the arguments of a call are right; if not, a `static_assert` says why in one sentence.
 template <typename FaceGraph, typename SegmentMap, typename NamedParameters>
 constexpr bool writes_segments = std::conjunction_v<Check_mesh<FaceGraph>,
                                                     Check_segment_map<FaceGraph, SegmentMap>,
@@ -137,6 +139,32 @@ std::size_t segment_mesh(const FaceGraph& mesh,
   }
   else
     return 0;
+}
+
+// The positions of the given faces in the order of `faces(mesh)`.
+template <typename FaceGraph, typename FaceRange>
+std::vector<Indexed_surface::Index> face_numbers(const FaceGraph& mesh, const FaceRange& range)
+{
+  using Index = Indexed_surface::Index;
+  std::map<Face_of<FaceGraph>, Index> numbers;
+  for (const auto f : range)
+    numbers[f] = Indexed_surface::no_face();
+  Index i = 0;
+  for (const auto f : faces(mesh))
+  {
+    const auto found = numbers.find(f);
+    if (found != numbers.end())
+      found->second = i;
+    ++i;
+  }
+  std::vector<Index> result;
+  for (const auto f : range)
+  {
+    if (numbers[f] == Indexed_surface::no_face())
+      throw std::invalid_argument("tips: a face is not in pmesh");
+    result.push_back(numbers[f]);
+  }
+  return result;
 }
 
 template <typename ConcurrencyTag,

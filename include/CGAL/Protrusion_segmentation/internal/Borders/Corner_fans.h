@@ -23,43 +23,28 @@ class Kept_borders
 public:
   using Index = Indexed_surface::Index;
 
-  Kept_borders(std::size_t number_of_segments, std::size_t number_of_vertices)
-    : m_of_segment(number_of_segments, false), m_at_vertex(number_of_vertices, false)
-  {}
-
   bool contains(Index s, Index t) const
   {
-    return s != t && (m_of_segment[s] || m_of_segment[t] || m_between.count(std::minmax(s, t)) > 0);
+    return s != t && (contains_segment(s) || contains_segment(t) || m_between.count(std::minmax(s, t)) > 0);
   }
 
   // An edge between faces of two segments.
   bool contains_edge(Index s, Index t, Index u, Index v) const
   {
-    return s != t && (m_at_vertex[u] || m_at_vertex[v] || contains(s, t));
+    return s != t && (m_at_vertices.count(u) > 0 || m_at_vertices.count(v) > 0 || contains(s, t));
   }
 
-  bool contains_segment(Index s) const { return m_of_segment[s]; }
+  bool contains_segment(Index s) const { return m_of_segments.count(s) > 0; }
 
-  std::size_t number_of_segments() const
-  {
-    return static_cast<std::size_t>(std::count(m_of_segment.begin(), m_of_segment.end(), true));
-  }
+  std::size_t number_of_segments() const { return m_of_segments.size(); }
 
   // Each of these returns whether it was not kept before.
-  bool keep_segment(Index s) { return keep(m_of_segment, s); }
-  bool keep_at_vertex(Index v) { return keep(m_at_vertex, v); }
+  bool keep_segment(Index s) { return m_of_segments.insert(s).second; }
+  bool keep_at_vertex(Index v) { return m_at_vertices.insert(v).second; }
   bool keep_between(Index s, Index t) { return !contains(s, t) && m_between.insert(std::minmax(s, t)).second; }
 
 private:
-  static bool keep(std::vector<bool>& is_kept, Index i)
-  {
-    const bool is_new = !is_kept[i];
-    is_kept[i] = true;
-    return is_new;
-  }
-
-  std::vector<bool> m_of_segment;
-  std::vector<bool> m_at_vertex;
+  std::set<Index> m_of_segments, m_at_vertices;
   std::set<std::pair<Index, Index>> m_between; // the lower one first
 };
 

@@ -61,7 +61,7 @@ private:
     std::vector<Index> junctions; // most of them twice or more
   };
 
-  // The vertices where at least three segments meet, or two in four or more sectors.
+  // The vertices where more than two borders end; each boundary of the surface there counts as one.
   static std::vector<bool> junctions(const Indexed_surface& surface, const std::vector<Index>& segment_of_face)
   {
     std::vector<Index> borders(surface.number_of_vertices(), 0); // that end at a vertex; the boundary of the surface is one

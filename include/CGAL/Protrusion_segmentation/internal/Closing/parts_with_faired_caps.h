@@ -108,25 +108,23 @@ inline std::vector<std::array<Vertex, 3>> triangles_in(const Part& part, const s
   return triangles.size() + 2 == loop.size() ? triangles : std::vector<std::array<Vertex, 3>>();
 }
 
+inline std::vector<Vertex> loop_of(const Part& part, Halfedge side)
+{
+  const auto loop = vertices_around_face(side, part);
+  return std::vector<Vertex>(loop.begin(), loop.end());
+}
+
 // Splits a face around a vertex in the middle, which no other face has.
 inline std::vector<Face> add_fan(Part& part, Halfedge side)
 {
-  std::vector<Vertex> loop;
-  for (const Vertex v : vertices_around_face(side, part))
-    loop.push_back(v);
+  const std::vector<Vertex> loop = loop_of(part, side);
   const Halfedge to_middle = CGAL::Euler::add_center_vertex(side, part);
-  double x = 0, y = 0, z = 0;
+  Vector sum = CGAL::NULL_VECTOR;
   for (const Vertex v : loop)
-  {
-    x += part.point(v).x() / double(loop.size());
-    y += part.point(v).y() / double(loop.size());
-    z += part.point(v).z() / double(loop.size());
-  }
-  part.point(part.target(to_middle)) = Exact_point(x, y, z);
-  std::vector<Face> fan;
-  for (const Face face : faces_around_target(to_middle, part))
-    fan.push_back(face);
-  return fan;
+    sum += (part.point(v) - CGAL::ORIGIN) / double(loop.size());
+  part.point(part.target(to_middle)) = CGAL::ORIGIN + sum;
+  const auto fan = faces_around_target(to_middle, part);
+  return std::vector<Face>(fan.begin(), fan.end());
 }
 
 // Seen along the normal, where CGAL triangulates polygons: it crashes where these are a line, or two corners are one.
@@ -167,12 +165,6 @@ inline void triangulate(Part& part)
   }
 }
 
-// What is no number is not.
-inline bool is_near(const Exact_point& point)
-{
-  return (point - CGAL::ORIGIN).squared_length() <= farthest_cap * farthest_cap;
-}
-
 // Fairing divides by areas: where faces are single points, it fails, or gives points that are no numbers or anywhere.
 // The cap stays flat then.
 inline void fair_if_possible(Part& part, const std::vector<Vertex>& vertices)
@@ -180,9 +172,10 @@ inline void fair_if_possible(Part& part, const std::vector<Vertex>& vertices)
   std::vector<Exact_point> old_points;
   for (const Vertex v : vertices)
     old_points.push_back(part.point(v));
-  const auto is_in_place = [&](const Vertex v) { return is_near(part.point(v)); };
+  const auto is_near = [&](const Vertex v) // what is no number is not
+  { return (part.point(v) - CGAL::ORIGIN).squared_length() <= farthest_cap * farthest_cap; };
   if (!Polygon_mesh_processing::fair(part, vertices) ||
-      !std::all_of(vertices.begin(), vertices.end(), is_in_place))
+      !std::all_of(vertices.begin(), vertices.end(), is_near))
     for (std::size_t i = 0; i < vertices.size(); ++i)
       part.point(vertices[i]) = old_points[i];
 }
@@ -190,11 +183,8 @@ inline void fair_if_possible(Part& part, const std::vector<Vertex>& vertices)
 // The steps of CGAL's triangulate_refine_and_fair_hole(), whose parameters differ from version to version.
 inline void close_hole(Part& part, Halfedge hole)
 {
-  std::vector<Vertex> loop;
-  for (const Vertex v : vertices_around_face(hole, part))
-    loop.push_back(v);
   std::vector<Face> cap;
-  for (const auto& triangle : triangles_in(part, loop))
+  for (const auto& triangle : triangles_in(part, loop_of(part, hole)))
     cap.push_back(CGAL::Euler::add_face(triangle, part));
   if (cap.empty())
   {

@@ -105,24 +105,6 @@ private:
   std::vector<Mesh_to_close::Halfedge_index> m_halfedges; // between two segments
 };
 
-// Triangles without those that are there both ways.
-class Caps_of_part
-{
-public:
-  void add(const Triangle& triangle)
-  {
-    const auto other = m_triangles.find(turned_over(triangle));
-    if (other != m_triangles.end())
-      m_triangles.erase(other);
-    else
-      m_triangles.insert(triangle);
-  }
-  const std::multiset<Triangle>& triangles() const { return m_triangles; }
-
-private:
-  std::multiset<Triangle> m_triangles;
-};
-
 // Where a segment with all that sticks out of it is cut off.
 struct Flat_cap
 {
@@ -173,16 +155,22 @@ inline Parts_with_flat_caps parts_with_caps(const Mesh_to_close& mesh,
       corners.push_back(std::size_t(v));
     result.polygons[segment_of_face[f]].push_back(std::move(corners));
   }
-  std::vector<Caps_of_part> caps_of_parts(number_of_segments);
+  std::vector<std::multiset<Triangle>> caps_of_parts(number_of_segments); // without what is there both ways
+  const auto add = [](const std::vector<Triangle>& triangles, std::multiset<Triangle>& caps_of_part)
+  {
+    for (const Triangle& triangle : triangles)
+      if (const auto other = caps_of_part.find(turned_over(triangle)); other != caps_of_part.end())
+        caps_of_part.erase(other);
+      else
+        caps_of_part.insert(triangle);
+  };
   for (const Flat_cap& cap : caps)
   {
-    for (const Triangle& triangle : cap.of_segment)
-      caps_of_parts[cap.segment].add(triangle);
-    for (const Triangle& triangle : cap.of_parent)
-      caps_of_parts[cap.parent].add(triangle);
+    add(cap.of_segment, caps_of_parts[cap.segment]);
+    add(cap.of_parent, caps_of_parts[cap.parent]);
   }
   for (std::size_t s = 0; s < number_of_segments; ++s)
-    for (const Triangle& triangle : caps_of_parts[s].triangles())
+    for (const Triangle& triangle : caps_of_parts[s])
       result.polygons[s].emplace_back(triangle.begin(), triangle.end());
   return result;
 }

@@ -143,8 +143,15 @@ class Any_distance
 public:
   template <typename Distance>
   explicit Any_distance(Distance distance)
-    : m_on(make_model(std::make_shared<const Distance>(std::move(distance))))
-  {}
+  {
+    static_assert(Is_distance<Distance>::value, "the distance is no model of ProtrusionDistance: it has no "
+                                                "function on(const Indexed_surface&, Execution&) const whose "
+                                                "result computes distances");
+    if constexpr (Is_distance<Distance>::value) // no further errors after this one
+      m_on = [shared = std::make_shared<const Distance>(std::move(distance))](const Indexed_surface& surface,
+                                                                              Execution& execution)
+      { return std::make_unique<Model_of_distances<Distance>>(*shared, surface, execution); };
+  }
 
   // The surface and the execution must outlive the result.
   std::unique_ptr<Distances_on_surface> on(const Indexed_surface& surface, Execution& execution) const
@@ -153,22 +160,7 @@ public:
   }
 
 private:
-  using On = std::function<std::unique_ptr<Distances_on_surface>(const Indexed_surface&, Execution&)>;
-
-  template <typename Distance>
-  static On make_model(std::shared_ptr<const Distance> distance)
-  {
-    static_assert(Is_distance<Distance>::value, "the distance is no model of ProtrusionDistance: it has no "
-                                                "function on(const Indexed_surface&, Execution&) const whose "
-                                                "result computes distances");
-    if constexpr (Is_distance<Distance>::value) // no further errors after this one
-      return [distance](const Indexed_surface& surface, Execution& execution)
-      { return std::make_unique<Model_of_distances<Distance>>(*distance, surface, execution); };
-    else
-      return {};
-  }
-
-  On m_on;
+  std::function<std::unique_ptr<Distances_on_surface>(const Indexed_surface&, Execution&)> m_on;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

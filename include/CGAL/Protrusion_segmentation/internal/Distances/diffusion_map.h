@@ -9,7 +9,7 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Edge_conductances.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/conductance.h>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
@@ -47,7 +47,7 @@ inline Random_walk make_random_walk(const Indexed_surface& surface)
   using Index = Indexed_surface::Index;
   const Index n = surface.number_of_faces();
   const double mean_area = surface.area() / n;
-  const Edge_conductances conductance(surface);
+  const double shortest = shortest_length(surface.area(), n); // 0 if all points are equal, or nearly
 
   std::vector<Eigen::Triplet<double>> weights;
   weights.reserve(surface.number_of_corners() + n);
@@ -56,7 +56,7 @@ inline Random_walk make_random_walk(const Indexed_surface& surface)
     for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
       if (const Index g = surface.neighbor(c); g != Indexed_surface::no_face())
       {
-        const double weight = conductance(f, c);
+        const double weight = shortest > 0 ? conductance(surface.edge_length(f, c), surface.arc_length(f, g), shortest) : 1;
         weights.emplace_back(f, g, -weight);
         leaving[f] += weight;
       }

@@ -42,7 +42,7 @@ public:
       m_conditions(conditions),
       m_execution(execution),
       m_observer(execution.observer()),
-      m_extract(surface, execution.is_parallel()),
+      m_select(surface, execution.is_parallel()),
       m_segments(surface)
   {
     for (std::size_t s = 0; s < m_segments.number_of_segments(); ++s)
@@ -134,9 +134,8 @@ private:
     const Stage_scope stage(m_observer, Stage::PREPARATION);
     const Nested_segments::Faces& faces = m_segments.faces(id);
     const bool is_whole = faces.size() == m_surface.number_of_faces();
-    return Segment_surface(
-      id, is_whole ? Extracted_segment{{}, faces, std::vector<bool>(faces.size(), false)} : m_extract(faces), m_surface,
-      m_distance, m_execution);
+    return Segment_surface(id, faces, is_whole ? Indexed_surface() : m_select(faces).to_surface(m_execution.is_parallel()),
+                           m_surface, m_distance, m_execution);
   }
 
   // Steps 2 to 4 in one segment; returns whether a protrusion was cut off. The records of a segment that
@@ -166,19 +165,22 @@ private:
   void select_tips(Segment_surface& segment, std::size_t wanted)
   {
     const Stage_scope stage(m_observer, Stage::TIPS);
-    const Extracted_segment& extracted = segment.extracted;
     select_protrusion_tips(
-      segment.surface, *segment.distances, wanted,
-      // where the segment was cut off there is no tip of a protrusion, however far it may be
-      [&](Index face) { return !extracted.is_on_cut[face]; },
+      segment.surface, *segment.distances, wanted, [&](Index face) { return is_plausible(segment, face); },
       [&](Index face, const std::vector<double>& distances)
       {
-        if (extracted.is_on_cut[face])
-          m_observer.tip_eliminated(extracted.faces[face]);
+        if (is_plausible(segment, face))
+          m_observer.tip_selected(segment.faces[face]);
         else
-          m_observer.tip_selected(extracted.faces[face]);
+          m_observer.tip_eliminated(segment.faces[face]);
         add_record(segment, face, distances, m_conditions);
       });
+  }
+
+  // Where the segment was cut off there is no tip of a protrusion, however far. To be asked before it is cut again.
+  bool is_plausible(const Segment_surface& segment, Index face) const
+  {
+    return !m_segments.is_on_border(m_surface, segment.faces[face]);
   }
 
   // The border is looked for when all tips are known: the diameters beyond the nearest one do not matter. If the distances
@@ -190,7 +192,7 @@ private:
   {
     m_execution.check();
     Tip_records& records = m_records[segment.id];
-    add_tip_record(face, !segment.extracted.is_on_cut[face], distances, records);
+    add_tip_record(face, is_plausible(segment, face), distances, records);
     if (segment.keep(distances))
       return;
     const Stage_scope stage(m_observer, Stage::BORDERS);
@@ -266,11 +268,11 @@ private:
       if (m_observer.looks_at_protrusions())
         segment.measure_first_slots(tip_border.first, number_of_slots, m_execution,
                                     records[tip_border.first]);
-      m_segments.cut_off(segment.id, faces_with_label(labels, id, segment.extracted.faces));
+      m_segments.cut_off(segment.id, faces_with_label(labels, id, segment.faces));
       Protrusion<Index> protrusion = describe_protrusion(record, tip_border.second);
       protrusion.segment = id;
       protrusion.parent = segment.id;
-      protrusion.tip = segment.extracted.faces[record.tip];
+      protrusion.tip = segment.faces[record.tip];
       protrusion.area = area;
       protrusion.border_length = border_length(surface, labels, id);
       m_observer.protrusion_found(protrusion);
@@ -285,7 +287,7 @@ private:
   Border_conditions m_conditions;
   Execution& m_execution;
   Observer& m_observer;
-  Segment_extractor m_extract;
+  Face_selector<Indexed_surface> m_select;
   Nested_segments m_segments;
   std::vector<double> m_areas; // of every segment
   double m_least_area_to_split = 0;

@@ -9,7 +9,6 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Histogram_method/Tip_record.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,19 +24,22 @@ namespace CGAL::Protrusion_segmentation::internal {
 struct Segment_surface
 {
   Indexed_surface::Index id;
-  Extracted_segment extracted; // without a surface if it is all of `whole`, which would be there twice
+  std::vector<Indexed_surface::Index> faces; // of the whole surface, ascending
+  Indexed_surface own_surface;               // empty if it is all of `whole`, which would be there twice
   const Indexed_surface& surface;
   std::unique_ptr<Distances_on_surface> distances; // refer to the surface
   std::vector<std::vector<double>> from_tips; // of the first records, for a surface that is not large
 
   Segment_surface(Indexed_surface::Index id_,
-                  Extracted_segment extracted_,
+                  std::vector<Indexed_surface::Index> faces_,
+                  Indexed_surface own_surface_,
                   const Indexed_surface& whole,
                   const Any_distance& distance,
                   Execution& execution)
     : id(id_),
-      extracted(std::move(extracted_)),
-      surface(extracted.faces.size() == whole.number_of_faces() ? whole : extracted.surface),
+      faces(std::move(faces_)),
+      own_surface(std::move(own_surface_)),
+      surface(faces.size() == whole.number_of_faces() ? whole : own_surface),
       distances(distance.on(surface, execution))
   {}
   Segment_surface(const Segment_surface&) = delete;
@@ -45,7 +47,6 @@ struct Segment_surface
 
   Indexed_surface::Index number_of_face(Indexed_surface::Index face_of_whole_surface) const
   {
-    const auto& faces = extracted.faces; // ascending
     return static_cast<Indexed_surface::Index>(
       std::lower_bound(faces.begin(), faces.end(), face_of_whole_surface) - faces.begin());
   }

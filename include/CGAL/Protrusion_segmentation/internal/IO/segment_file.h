@@ -7,7 +7,6 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_IO_SEGMENT_FILE_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_IO_SEGMENT_FILE_H
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cctype>

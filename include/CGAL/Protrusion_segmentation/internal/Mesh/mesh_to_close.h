@@ -9,13 +9,14 @@
 #include <CGAL/Protrusion_segmentation/Segmentation_record.h>
 #include <CGAL/Protrusion_segmentation/internal/Closing/Capper.h>
 #include <CGAL/Protrusion_segmentation/internal/Metrics/face_areas.h>
+#include <CGAL/Protrusion_segmentation/internal/user_points.h>
 
 #include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/boost/graph/helpers.h>
-#include <CGAL/boost/graph/iterator.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
+#include <boost/property_map/transform_value_property_map.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -25,23 +26,6 @@
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
-
-// The points of a mesh in the kernel of the mesh that is closed.
-template <typename VertexPointMap>
-struct Points_to_close
-{
-  using key_type = typename boost::property_traits<VertexPointMap>::key_type;
-  using value_type = Mesh_to_close::Point;
-  using reference = value_type;
-  using category = boost::readable_property_map_tag;
-
-  friend value_type get(const Points_to_close& map, const key_type& vertex)
-  {
-    return to_double_point(get(map.points, vertex));
-  }
-
-  VertexPointMap points;
-};
 
 // A mesh that a user wants to close, with its segments.
 template <typename FaceGraph, typename SegmentMap, typename VertexPointMap>
@@ -64,8 +48,10 @@ public:
     std::vector<std::pair<Vertex, Mesh_to_close::Vertex_index>> vertices;
     std::vector<std::pair<Face, Mesh_to_close::Face_index>> faces;
     std::vector<std::pair<Halfedge, Mesh_to_close::Halfedge_index>> halfedges;
+    const auto points_to_close = boost::make_transform_value_property_map<Mesh_to_close::Point>(
+      [](const Point& p) { return to_double_point(p); }, points);
     copy_face_graph(mesh, m_mesh,
-                    parameters::vertex_point_map(Points_to_close<VertexPointMap>{points})
+                    parameters::vertex_point_map(points_to_close)
                       .vertex_to_vertex_output_iterator(std::back_inserter(vertices))
                       .face_to_face_output_iterator(std::back_inserter(faces))
                       .halfedge_to_halfedge_output_iterator(std::back_inserter(halfedges)));
@@ -97,7 +83,7 @@ public:
     return m_parents;
   } // of the segments; their own for bodies
 
-  // With points of the mesh where these are its vertices, `corners` being numbers of `points`.
+  // Corners are indices of `points`; the first ones are vertices of the user's mesh and get its points.
   Closed_segment<Point> segment(const std::vector<std::vector<std::size_t>>& polygons,
                                 const std::vector<Mesh_to_close::Point>& points) const
   {

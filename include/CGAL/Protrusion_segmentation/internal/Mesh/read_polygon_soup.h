@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_READ_POLYGON_SOUP_H
 
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
+#include <CGAL/Protrusion_segmentation/internal/user_points.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/number_utils.h>
@@ -39,10 +40,7 @@ std::vector<Polygon_soup::Point_3> read_soup_points(const PointRange& points, Po
 {
   std::vector<Polygon_soup::Point_3> result;
   for (const auto& element : points)
-  {
-    const auto& p = get(point_map, element);
-    result.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-  }
+    result.push_back(to_double_point(get(point_map, element)));
   return result;
 }
 
@@ -88,7 +86,7 @@ inline void check_points(Polygon_soup& soup)
   for (std::size_t i = 0; i < soup.points.size(); ++i)
   {
     Polygon_soup::Point_3& p = soup.points[i];
-    if (std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z()))
+    if (is_finite(p))
       continue;
     if (is_corner[i])
       throw std::invalid_argument("points: point " + std::to_string(i) +
@@ -98,13 +96,6 @@ inline void check_points(Polygon_soup& soup)
 }
 
 // Nothing if it is to be found.
-inline std::optional<double> checked_tolerance(std::optional<double> tolerance)
-{
-  if (tolerance && !(*tolerance >= 0 && std::isfinite(*tolerance)))
-    throw std::invalid_argument("snapping_tolerance: " + std::to_string(*tolerance) + " is no distance");
-  return tolerance;
-}
-
 template <typename NamedParameters>
 std::optional<double> snapping_tolerance(const NamedParameters& np)
 {
@@ -112,8 +103,12 @@ std::optional<double> snapping_tolerance(const NamedParameters& np)
                                                  internal_np::snapping_tolerance_t>::value)
     return std::nullopt;
   else
-    return checked_tolerance(
-      CGAL::to_double(parameters::get_parameter(np, internal_np::snapping_tolerance)));
+  {
+    const double tolerance = CGAL::to_double(parameters::get_parameter(np, internal_np::snapping_tolerance));
+    if (!(tolerance >= 0 && std::isfinite(tolerance)))
+      throw std::invalid_argument("snapping_tolerance: " + std::to_string(tolerance) + " is no distance");
+    return tolerance;
+  }
 }
 
 // With the checks of both arguments.

@@ -8,21 +8,16 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
+#include <CGAL/Protrusion_segmentation/internal/user_points.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
+#include <cstddef>
 #include <map>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
@@ -49,15 +44,12 @@ std::vector<Indexed_surface::Point_3> read_points(const FaceGraph& mesh,
     const std::size_t i = position++;
     if (halfedge(v, mesh) == boost::graph_traits<FaceGraph>::null_halfedge())
       continue;
-    const auto& p = get(vpm, v);
-    const std::array<double, 3> xyz = {CGAL::to_double(p.x()), CGAL::to_double(p.y()),
-                                       CGAL::to_double(p.z())};
-    for (double x : xyz)
-      if (!std::isfinite(x))
-        throw std::invalid_argument("pmesh: vertex " + std::to_string(i) +
-                                    " has a coordinate that is not finite");
+    const Indexed_surface::Point_3 p = to_double_point(get(vpm, v));
+    if (!is_finite(p))
+      throw std::invalid_argument("pmesh: vertex " + std::to_string(i) +
+                                  " has a coordinate that is not finite");
     put(numbers, v, static_cast<Indexed_surface::Index>(points.size()));
-    points.emplace_back(xyz[0], xyz[1], xyz[2]);
+    points.push_back(p);
   }
   return points;
 }
@@ -96,17 +88,13 @@ std::vector<Indexed_surface::Index> read_patches(const FaceGraph& mesh, PatchMap
 template <typename FaceGraph, typename NamedParameters>
 Surface_arrays read_arrays(const FaceGraph& mesh, const NamedParameters& np)
 {
-  using parameters::choose_parameter;
-  using parameters::get_parameter;
   using Index = Indexed_surface::Index;
 
-  const auto vpm = choose_parameter(get_parameter(np, internal_np::vertex_point),
-                                    get_const_property_map(CGAL::vertex_point, mesh));
   auto vertex_numbers = get(CGAL::dynamic_vertex_property_t<Index>(), mesh);
   auto face_numbers = get(CGAL::dynamic_face_property_t<Index>(), mesh);
 
   Surface_arrays arrays;
-  arrays.points = read_points(mesh, vpm, vertex_numbers);
+  arrays.points = read_points(mesh, vertex_point_map(mesh, np), vertex_numbers);
   Index number_of_faces = 0;
   std::size_t number_of_corners = 0;
   for (const auto f : faces(mesh))
@@ -134,7 +122,7 @@ Surface_arrays read_arrays(const FaceGraph& mesh, const NamedParameters& np)
     arrays.corner_begin.push_back(static_cast<Index>(arrays.corner_vertices.size()));
   }
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value)
-    arrays.patches = read_patches(mesh, get_parameter(np, internal_np::face_patch));
+    arrays.patches = read_patches(mesh, parameters::get_parameter(np, internal_np::face_patch));
   return arrays;
 }
 

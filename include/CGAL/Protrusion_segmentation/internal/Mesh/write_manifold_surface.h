@@ -7,34 +7,23 @@
 
 #include <CGAL/Protrusion_segmentation/Polygon_soup_correspondence.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/manifold_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/user_points.h>
 
 #include <CGAL/Named_function_parameters.h>
 #include <CGAL/assertions.h>
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/named_params_helper.h>
 #include <CGAL/boost/graph/properties.h>
-#include <CGAL/number_utils.h>
 
 #include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <iterator>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
-
-// Coordinates that are of another type become `double`.
-template <typename Point, typename OtherPoint>
-Point point_as(const OtherPoint& p)
-{
-  if constexpr (std::is_same<Point, OtherPoint>::value)
-    return p;
-  else
-    return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-}
 
 // Adds a vertex for each of `point_of_vertex`, ascending indices of `points`.
 template <typename PointRange, typename PointMap, typename FaceGraph, typename NamedParameters>

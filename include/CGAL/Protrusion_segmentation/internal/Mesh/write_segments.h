@@ -19,7 +19,6 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {

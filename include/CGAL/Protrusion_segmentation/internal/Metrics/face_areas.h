@@ -10,14 +10,10 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
+#include <CGAL/Protrusion_segmentation/internal/user_points.h>
 
-#include <CGAL/Named_function_parameters.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/boost/graph/iterator.h>
-#include <CGAL/boost/graph/named_params_helper.h>
-#include <CGAL/number_utils.h>
-
-#include <boost/graph/graph_traits.hpp>
 
 #include <cmath>
 #include <cstddef>
@@ -28,25 +24,6 @@
 namespace CGAL::Protrusion_segmentation::internal {
 
 using Double_kernel = CGAL::Simple_cartesian<double>;
-
-template <typename Point>
-Double_kernel::Point_3 to_double_point(const Point& point)
-{
-  return {CGAL::to_double(point.x()), CGAL::to_double(point.y()), CGAL::to_double(point.z())};
-}
-
-inline bool is_finite(const Double_kernel::Point_3& p)
-{
-  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-}
-
-// The map of the named parameter `vertex_point_map`, or the mesh's own.
-template <typename FaceGraph, typename NamedParameters>
-auto vertex_point_map(const FaceGraph& mesh, const NamedParameters& np)
-{
-  return parameters::choose_parameter(parameters::get_parameter(np, internal_np::vertex_point),
-                                      get_const_property_map(CGAL::vertex_point, mesh));
-}
 
 // The points of a mesh, in a unit in which squares of areas neither overflow nor vanish: a power of two, which changes no
 // digit. Vertices without a face do not count: a far one would make the rest of the mesh tiny.

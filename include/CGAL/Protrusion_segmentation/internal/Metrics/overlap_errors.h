@@ -12,7 +12,6 @@
 
 #include <CGAL/assertions.h>
 
-#include <boost/graph/graph_traits.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <algorithm>

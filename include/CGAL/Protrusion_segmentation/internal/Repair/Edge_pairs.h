@@ -149,10 +149,8 @@ private:
   // Returns whether the orientations fit.
   bool join(std::size_t side, std::size_t other)
   {
-    const bool is_turned = are_parallel(side, other);
-    if (!m_orientations.fits(m_face[side], m_face[other], is_turned))
+    if (!m_orientations.unite(m_face[side], m_face[other], are_parallel(side, other)))
       return false;
-    m_orientations.unite(m_face[side], m_face[other], is_turned);
     m_partner[side] = other;
     m_partner[other] = side;
     return true;

@@ -12,7 +12,7 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// Disjoint sets of elements each of which is, or is not, turned over against the first of its set.
+// Disjoint sets of elements each of which is, or is not, turned over against the representative of its set.
 class Parity_sets
 {
 public:
@@ -39,26 +39,19 @@ public:
     return result;
   }
 
-  // Would the sets still be right if `a` were turned over against `b` or, if `is_turned` is false, were not?
-  bool fits(std::size_t a, std::size_t b, bool is_turned)
-  {
-    const auto [root_a, a_is_turned] = find(a);
-    const auto [root_b, b_is_turned] = find(b);
-    return root_a != root_b || (a_is_turned != b_is_turned) == is_turned;
-  }
-
-  // `fits(a, b, is_turned)` holds.
-  void unite(std::size_t a, std::size_t b, bool is_turned)
+  // Sets `a` turned over against `b` or, if `is_turned` is false, not. Returns whether that fits; if not, nothing changes.
+  bool unite(std::size_t a, std::size_t b, bool is_turned)
   {
     auto [root_a, a_is_turned] = find(a);
     auto [root_b, b_is_turned] = find(b);
     if (root_a == root_b)
-      return;
+      return (a_is_turned != b_is_turned) == is_turned;
     if (m_size[root_a] < m_size[root_b])
       std::swap(root_a, root_b);
     m_parent[root_b] = root_a;
     m_size[root_a] += m_size[root_b];
     m_is_turned[root_b] = (a_is_turned != b_is_turned) != is_turned;
+    return true;
   }
 
 private:

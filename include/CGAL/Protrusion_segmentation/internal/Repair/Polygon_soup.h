@@ -26,6 +26,7 @@ public:
   using Corners = boost::iterator_range<std::vector<std::size_t>::const_iterator>;
 
   std::size_t size() const { return m_first.size() - 1; }
+  const std::vector<std::size_t>& corners() const { return m_corners; } // of all
   std::size_t number_of_corners() const { return m_corners.size(); }
   std::size_t first_corner(std::size_t polygon) const { return m_first[polygon]; }
   std::size_t corner(std::size_t number) const { return m_corners[number]; }
@@ -57,15 +58,22 @@ struct Polygon_soup
   Polygons polygons;
 };
 
+// The points of corners, or what else is given for each point.
+template <typename T, typename Corners>
+std::vector<T> of_corners(const std::vector<T>& of_points, const Corners& corners)
+{
+  std::vector<T> result;
+  for (const std::size_t corner : corners)
+    result.push_back(of_points[corner]);
+  return result;
+}
+
 // Along the normal of the polygon and as long as its area is large.
 template <typename Corners>
 Polygon_soup::Vector_3 area_vector(const std::vector<Polygon_soup::Point_3>& points,
                                    const Corners& corners)
 {
-  std::vector<Polygon_soup::Point_3> polygon;
-  for (const std::size_t corner : corners)
-    polygon.push_back(points[corner]);
-  return polygon_area_vector(polygon);
+  return polygon_area_vector(of_corners(points, corners));
 }
 
 // Points that lie on each other are at one place, which is named by the first of them.
@@ -99,8 +107,8 @@ inline std::vector<std::size_t> places(const std::vector<Polygon_soup::Point_3>&
 inline int scale_to_unit(Polygon_soup& soup)
 {
   Largest_coordinate largest;
-  for (std::size_t corner = 0; corner < soup.polygons.number_of_corners(); ++corner)
-    largest.add(soup.points[soup.polygons.corner(corner)]);
+  for (const std::size_t corner : soup.polygons.corners())
+    largest.add(soup.points[corner]);
   for (Polygon_soup::Point_3& p : soup.points)
     p = scaled_by_power_of_two(p, -largest.exponent());
   return largest.exponent();

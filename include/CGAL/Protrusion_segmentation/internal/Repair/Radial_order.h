@@ -41,14 +41,8 @@ inline std::vector<bool> are_inside_out(const std::vector<Polygon_soup::Point_3>
                                         std::size_t number_of_sets)
 {
   std::vector<Signed_volume> volumes(number_of_sets);
-  std::vector<Polygon_soup::Point_3> corners;
   for (std::size_t i = 0; i < polygons.size(); ++i)
-  {
-    corners.clear();
-    for (const std::size_t corner : polygons[i])
-      corners.push_back(points[corner]);
-    volumes[sets[i]].add(corners);
-  }
+    volumes[sets[i]].add(of_corners(points, polygons[i]));
   std::vector<bool> result;
   for (const std::size_t s : sets)
     result.push_back(volumes[s].orientation() < 0);

@@ -32,15 +32,6 @@ struct Face_choice
   std::size_t duplicate_polygons = 0;
 };
 
-inline std::vector<std::size_t> places_of(const Polygons::Corners& corners,
-                                          const std::vector<std::size_t>& places)
-{
-  std::vector<std::size_t> result;
-  for (const std::size_t corner : corners)
-    result.push_back(places[corner]);
-  return result;
-}
-
 // Of two polygons with the same corners in opposite order one is reversed.
 inline bool is_reversed(const std::vector<std::size_t>& corners)
 {
@@ -55,6 +46,8 @@ inline bool is_reversed(const std::vector<std::size_t>& corners)
 // The number of all surfaces that are not closed, where closed ones have numbers of their own.
 constexpr std::size_t open_surface = 0;
 
+// Of polygons with the same corners and of the same surface the first one is kept and labels the others. A polygon without
+// three different corners is not kept, nor is one with `is_left_out`.
 class Face_chooser
 {
 public:
@@ -68,6 +61,7 @@ public:
       m_is_left_out(is_left_out)
   {}
 
+  // Throws if no polygon can be kept.
   Face_choice choose()
   {
     find_duplicates();
@@ -117,7 +111,7 @@ private:
     std::vector<std::tuple<Corners, std::size_t, std::size_t>> polygons; // corners, surface, number
     for (std::size_t i = 0; i < m_polygons.size(); ++i)
     {
-      const Corners corners = places_of(m_polygons[i], m_places);
+      const Corners corners = of_corners(m_places, m_polygons[i]);
       if (corners.size() >= 3 && number_of_different(corners) == corners.size())
         polygons.emplace_back(canonical(corners), m_surfaces[i], i);
     }
@@ -174,16 +168,6 @@ private:
   std::vector<bool> m_has_duplicate;
   Face_choice m_choice;
 };
-
-// Of polygons with the same corners and of the same surface the first one is kept and labels the others. A polygon that has
-// fewer than three corners is not kept, nor is one with `is_left_out`. Throws if no polygon can be kept.
-inline Face_choice choose_faces(const Polygons& polygons,
-                                const std::vector<std::size_t>& places,
-                                const std::vector<std::size_t>& surfaces,
-                                const std::vector<bool>& is_left_out)
-{
-  return Face_chooser(polygons, places, surfaces, is_left_out).choose();
-}
 
 } // namespace CGAL::Protrusion_segmentation::internal
 

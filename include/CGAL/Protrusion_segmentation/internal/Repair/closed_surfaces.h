@@ -44,7 +44,7 @@ inline std::vector<std::size_t> surfaces_by_points(const Polygon_soup& soup,
   }
   for (std::size_t i = 0; i < result.size(); ++i)
     result[i] = is_closed[result[i]]                               ? result[i] + 3
-                : is_reversed(places_of(soup.polygons[i], places)) ? 2
+                : is_reversed(of_corners(places, soup.polygons[i])) ? 2
                                                                    : 1;
   return result;
 }

@@ -8,10 +8,10 @@
 #include <CGAL/Protrusion_segmentation/Polygon_soup_repairs.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Edge_pairs.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Joined_faces.h>
-#include <CGAL/Protrusion_segmentation/internal/Repair/Neighbor_labels.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Polygon_soup.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/Radial_order.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/closed_surfaces.h>
+#include <CGAL/Protrusion_segmentation/internal/Repair/label_by_neighbors.h>
 #include <CGAL/Protrusion_segmentation/internal/Repair/sew_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/small_components.h>
 
@@ -26,90 +26,59 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// Finds the components that get the labels of their neighbours and no segments of their own: small ones, and walls
-// between two solids, all edges of which are shared with two or more other faces. They must touch a component that remains.
-class Left_out_components
+// Adds walls between two solids: components of faces that are there twice, at each open edge of which there are two or more
+// other faces.
+inline void add_walls(const Joined_faces& joined,
+                      const std::vector<std::size_t>& component,
+                      std::vector<bool>& is_chosen)
 {
-public:
-  Left_out_components(const Polygon_soup& soup,
-                      const std::vector<std::size_t>& places,
-                      const Joined_faces& joined)
-    : m_soup(soup),
-      m_places(places),
-      m_joined(joined),
-      m_component(joined.pairs.components()),
-      m_is_left_out(m_component.size(), false)
+  std::vector<bool> is_wall(component.size(), true), has_border(component.size(), false);
+  for (std::size_t side = 0; side < joined.pairs.number_of_sides(); ++side)
   {
-    find_small_ones();
-    find_walls();
-    keep_isolated_ones();
+    const std::size_t face = joined.pairs.face(side);
+    const bool is_open = joined.pairs.partner(side) == Edge_pairs::none();
+    if (is_open)
+      has_border[component[face]] = true;
+    if (!joined.choice.has_duplicate[face] || (is_open && !joined.pairs.is_non_manifold(side)))
+      is_wall[component[face]] = false;
   }
+  for (std::size_t c = 0; c < component.size(); ++c)
+    is_chosen[c] = is_chosen[c] || (is_wall[c] && has_border[c]);
+}
 
-  // Sets their faces, by their numbers in the soup; returns the number of components.
-  std::size_t leave_out(std::vector<bool>& is_left_out) const
+// Leaves out components that get the labels of their neighbours and no segments of their own: small ones and walls that touch
+// a component that remains. Sets their polygons; returns the number of components.
+inline std::size_t leave_out_components(const Polygon_soup& soup,
+                                        const std::vector<std::size_t>& places,
+                                        const Joined_faces& joined,
+                                        std::vector<bool>& is_left_out)
+{
+  const Polygons& polygons = joined.choice.polygons;
+  const std::vector<std::size_t> component = joined.pairs.components();
+  std::vector<double> area(component.size(), 0);
+  std::vector<std::size_t> count(component.size(), 0);
+  for (std::size_t face = 0; face < component.size(); ++face)
   {
-    std::size_t count = 0;
-    for (std::size_t face = 0; face < m_component.size(); ++face)
-      if (m_is_left_out[m_component[face]])
-      {
-        is_left_out[m_joined.choice.kept[face]] = true;
-        count += m_component[face] == face ? 1u : 0u; // a component is named after one of its faces
-      }
-    return count;
+    area[component[face]] += std::sqrt(area_vector(soup.points, polygons[face]).squared_length());
+    ++count[component[face]];
   }
+  std::vector<bool> is_chosen = small_components(area, count);
+  add_walls(joined, component, is_chosen);
 
-private:
-  void find_small_ones()
-  {
-    std::vector<double> area(m_component.size(), 0);
-    std::vector<std::size_t> count(m_component.size(), 0);
-    for (std::size_t face = 0; face < area.size(); ++face)
+  const std::vector<std::size_t> cluster = clusters_of_polygons(polygons, places);
+  std::vector<bool> has_more(places.size(), false);
+  for (std::size_t face = 0; face < component.size(); ++face)
+    if (!is_chosen[component[face]])
+      has_more[cluster[face]] = true;
+  std::size_t number = 0;
+  for (std::size_t face = 0; face < component.size(); ++face)
+    if (is_chosen[component[face]] && has_more[cluster[face]])
     {
-      area[m_component[face]] += std::sqrt(
-        area_vector(m_soup.points, m_joined.choice.polygons[face]).squared_length());
-      ++count[m_component[face]];
+      is_left_out[joined.choice.kept[face]] = true;
+      number += component[face] == face ? 1u : 0u; // a component is named after one of its faces
     }
-    m_is_left_out = small_components(area, count);
-  }
-
-  void find_walls()
-  {
-    const Edge_pairs& pairs = m_joined.pairs;
-    std::vector<bool> is_wall(m_component.size(), true);
-    for (std::size_t side = 0; side < pairs.number_of_sides(); ++side)
-    {
-      const std::size_t face = pairs.face(side);
-      const bool is_free = pairs.partner(side) == Edge_pairs::none() && !pairs.is_non_manifold(side);
-      if (!m_joined.choice.has_duplicate[face] || is_free)
-        is_wall[m_component[face]] = false;
-    }
-    std::vector<bool> has_border(m_component.size(), false);
-    for (std::size_t side = 0; side < pairs.number_of_sides(); ++side)
-      if (pairs.partner(side) == Edge_pairs::none())
-        has_border[m_component[pairs.face(side)]] = true;
-    for (std::size_t face = 0; face < m_component.size(); ++face)
-      m_is_left_out[face] = m_is_left_out[face] || (is_wall[face] && has_border[face]);
-  }
-
-  // Those that touch nothing but others that are left out, or nothing at all.
-  void keep_isolated_ones()
-  {
-    const std::vector<std::size_t> cluster = clusters_of_polygons(m_joined.choice.polygons, m_places);
-    std::vector<bool> has_more(m_places.size(), false);
-    for (std::size_t face = 0; face < m_component.size(); ++face)
-      if (!m_is_left_out[m_component[face]])
-        has_more[cluster[face]] = true;
-    for (std::size_t face = 0; face < m_component.size(); ++face)
-      if (!has_more[cluster[face]])
-        m_is_left_out[m_component[face]] = false;
-  }
-
-  const Polygon_soup& m_soup;
-  const std::vector<std::size_t>& m_places;
-  const Joined_faces& m_joined;
-  std::vector<std::size_t> m_component; // of each chosen face
-  std::vector<bool> m_is_left_out;      // of each component
-};
+  return number;
+}
 
 // The faces of a surface that any mesh type can hold, and how they belong to the polygons of a soup.
 struct Manifold_surface
@@ -156,15 +125,6 @@ inline std::size_t number_of_components(const Edge_pairs& pairs)
   for (std::size_t face = 0; face < component.size(); ++face)
     count += component[face] == face ? 1u : 0u; // it is named after one of its faces
   return count;
-}
-
-// The points that are corners.
-inline std::vector<Polygon_soup::Point_3> corners_of(const Polygon_soup& soup)
-{
-  std::vector<Polygon_soup::Point_3> result;
-  for (std::size_t c = 0; c < soup.polygons.number_of_corners(); ++c)
-    result.push_back(soup.points[soup.polygons.corner(c)]);
-  return result;
 }
 
 // With all polygons that may be walls between closed surfaces, and no others that are duplicates.
@@ -220,18 +180,18 @@ inline std::unique_ptr<Joined_faces> join_and_sew(Polygon_soup& soup,
 }
 
 // The polygons by their corners, so that results do not depend on their order; those with the same corners stay in it.
-inline std::vector<std::size_t> order_by_corners(const Polygon_soup& soup)
+inline std::vector<std::size_t> order_by_corners(const Polygons& polygons,
+                                                 const std::vector<std::size_t>& places)
 {
-  const std::vector<std::size_t> place_of = places(soup.points);
-  std::vector<std::pair<std::vector<std::size_t>, std::size_t>> polygons;
-  for (std::size_t i = 0; i < soup.polygons.size(); ++i)
+  std::vector<std::pair<std::vector<std::size_t>, std::size_t>> order;
+  for (std::size_t i = 0; i < polygons.size(); ++i)
   {
-    polygons.emplace_back(places_of(soup.polygons[i], place_of), i);
-    std::sort(polygons.back().first.begin(), polygons.back().first.end());
+    order.emplace_back(of_corners(places, polygons[i]), i);
+    std::sort(order.back().first.begin(), order.back().first.end());
   }
-  std::sort(polygons.begin(), polygons.end());
+  std::sort(order.begin(), order.end());
   std::vector<std::size_t> result;
-  for (const auto& [corners, i] : polygons)
+  for (const auto& [corners, i] : order)
     result.push_back(i);
   return result;
 }
@@ -246,14 +206,14 @@ inline Manifold_surface surface_of_ordered(Polygon_soup soup,
   Polygon_soup_repairs& repairs = surface.repairs;
   std::vector<std::size_t> surfaces;
   const int exponent = scale_to_unit(soup);
-  auto joined = join_and_sew(
-    soup, tolerance ? std::ldexp(*tolerance, -exponent) : automatic_tolerance(corners_of(soup)), place_of,
-    surfaces, repairs);
+  const double scaled_tolerance = tolerance ? std::ldexp(*tolerance, -exponent)
+                                            : automatic_tolerance(of_corners(soup.points, soup.polygons.corners()));
+  auto joined = join_and_sew(soup, scaled_tolerance, place_of, surfaces, repairs);
   std::vector<bool> is_left_out(soup.polygons.size(), false);
   repairs.degenerate_polygons = joined->choice.degenerate_polygons;
   repairs.duplicate_polygons = joined->choice.duplicate_polygons;
   repairs.non_manifold_edges = joined->pairs.number_of_non_manifold_edges();
-  repairs.small_components = Left_out_components(soup, place_of, *joined).leave_out(is_left_out);
+  repairs.small_components = leave_out_components(soup, place_of, *joined, is_left_out);
   if (repairs.small_components > 0) // then the rest is joined anew
     joined = std::make_unique<Joined_faces>(soup, place_of, surfaces, is_left_out);
   repairs.unorientable_edges = joined->pairs.number_of_unorientable_edges();
@@ -271,11 +231,11 @@ inline Manifold_surface surface_of_ordered(Polygon_soup soup,
 inline Manifold_surface manifold_surface(const Polygon_soup& soup,
                                          std::optional<double> tolerance = std::nullopt)
 {
-  const std::vector<std::size_t> order = order_by_corners(soup);
+  std::vector<std::size_t> place_of = places(soup.points);
+  const std::vector<std::size_t> order = order_by_corners(soup.polygons, place_of);
   Polygon_soup ordered = {soup.points, {}};
   for (const std::size_t i : order)
     ordered.polygons.add(soup.polygons[i]);
-  std::vector<std::size_t> place_of = places(soup.points);
   const Manifold_surface found = surface_of_ordered(std::move(ordered), tolerance, place_of);
   // back to the order of the polygons
   std::vector<std::pair<std::size_t, std::size_t>> faces; // polygon, face
@@ -296,7 +256,7 @@ inline Manifold_surface manifold_surface(const Polygon_soup& soup,
   for (std::size_t i = 0; i < order.size(); ++i)
     if (const std::size_t f = found.face_of_polygon[i]; f != Face_choice::none())
       result.face_of_polygon[order[i]] = new_face[f];
-  Neighbor_labels(soup.polygons, place_of, result.polygon_of_face).complete(result.face_of_polygon);
+  label_by_neighbors(soup.polygons, place_of, result.polygon_of_face, result.face_of_polygon);
   return result;
 }
 

@@ -152,7 +152,7 @@ private:
     }
     Polygons polygons;
     for (std::size_t i = 0; i < m_soup.polygons.size(); ++i)
-      polygons.add(places_of(m_soup.polygons[i], point));
+      polygons.add(of_corners(point, m_soup.polygons[i]));
     m_soup.polygons = std::move(polygons);
   }
 

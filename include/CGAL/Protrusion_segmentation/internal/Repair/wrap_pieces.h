@@ -16,9 +16,10 @@
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <CGAL/Bbox_3.h>
-#include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/alpha_wrap_3.h>
+
+#include <boost/range/irange.hpp>
 
 #include <algorithm>
 #include <array>
@@ -60,47 +61,6 @@ inline Surface_arrays arrays_of(const std::vector<Polygon_soup::Point_3>& points
   return arrays;
 }
 
-// Finds the nearest of polygons, by the triangles of each.
-class Nearest_polygon
-{
-public:
-  using Index = Surface_arrays::Index;
-
-  // `polygons` in the order in which the first of several nearest ones is chosen
-  Nearest_polygon(const Surface_arrays& surface, const std::vector<Index>& polygons)
-  {
-    for (const Index i : polygons)
-      for_each_triangle_of_fan(Corners_of_face<Surface_arrays>{surface, i},
-                               [&](const auto& p, const auto& q, const auto& r) { add(exact(p), exact(q), exact(r), i); });
-    m_tree.insert(m_mesh.faces_begin(), m_mesh.faces_end(), m_mesh);
-    m_tree.build();
-  }
-
-  Index operator()(const Polygon_soup::Point_3& point) const
-  {
-    return m_polygons[m_tree.closest_point_and_primitive(exact(point)).second];
-  }
-
-private:
-  using Kernel = Soup_kernel;
-  using Mesh = Surface_mesh<Kernel::Point_3>;
-
-  static Kernel::Point_3 exact(const Polygon_soup::Point_3& p) { return Kernel::Point_3(p.x(), p.y(), p.z()); }
-
-  // Triangles that share no vertices are enough.
-  void add(const Kernel::Point_3& p, const Kernel::Point_3& q, const Kernel::Point_3& r, Index polygon)
-  {
-    if (collinear(p, q, r))
-      return;
-    m_mesh.add_face(m_mesh.add_vertex(p), m_mesh.add_vertex(q), m_mesh.add_vertex(r));
-    m_polygons.push_back(polygon);
-  }
-
-  Mesh m_mesh;
-  std::vector<Index> m_polygons; // of the triangles
-  Side_of_triangle_mesh<Mesh, Kernel>::AABB_tree m_tree;
-};
-
 // Wraps shapes one by one, in a soup of unit size. Surfaces may overlap where shapes are near to each other.
 class Shape_wrapper
 {
@@ -137,18 +97,15 @@ public:
 
 private:
   using Index = Surface_arrays::Index;
-  using Kernel = Soup_kernel;
 
   struct Shape
   {
     Shape(const Surface_arrays& surface, std::size_t first)
       : first_face(first),
-        nearest(surface, all_faces(surface)),
-        solid(surface, all_faces(surface))
-    {
-      for (const Polygon_soup::Point_3& p : surface.points)
-        box += p.bbox();
-    }
+        nearest(surface, boost::irange(Index(0), Index(surface.number_of_faces()))),
+        solid(surface, boost::irange(Index(0), Index(surface.number_of_faces()))),
+        box(bbox_3(surface.points.begin(), surface.points.end()))
+    {}
     bool has_inside(const std::vector<Polygon_soup::Point_3>& points) const
     {
       for (const Polygon_soup::Point_3& p : points)
@@ -162,13 +119,6 @@ private:
     Solid solid;
     Bbox_3 box;
   };
-
-  static std::vector<Index> all_faces(const Surface_arrays& surface)
-  {
-    std::vector<Index> faces(surface.number_of_faces());
-    std::iota(faces.begin(), faces.end(), Index(0));
-    return faces;
-  }
 
   const Shape* shape_around(const std::vector<std::size_t>& polygons) const
   {
@@ -187,23 +137,22 @@ private:
   {
     // A ball that fits into a gap of that width, between the surfaces at a distance from the polygons, can pass.
     constexpr double radius_to_width = 0.4, distance_to_width = 0.1;
-    std::vector<Kernel::Point_3> points; // of this shape alone
+    std::vector<Soup_kernel::Point_3> points; // of this shape alone
     std::unordered_map<std::size_t, std::size_t> numbers;
     for (std::array<std::size_t, 3>& triangle : triangles)
       for (std::size_t& corner : triangle)
       {
         const auto [number, is_new] = numbers.emplace(corner, points.size());
-        const Polygon_soup::Point_3& p = m_soup.points[corner];
         if (is_new)
-          points.emplace_back(p.x(), p.y(), p.z());
+          points.push_back(exact(m_soup.points[corner]));
         corner = number->second;
       }
-    Surface_mesh<Kernel::Point_3> mesh;
+    Surface_mesh<Soup_kernel::Point_3> mesh;
     alpha_wrap_3(points, triangles, radius_to_width * width, distance_to_width * width, mesh);
     return add_surface(mesh, polygons);
   }
 
-  const Shape& add_surface(const Surface_mesh<Kernel::Point_3>& mesh,
+  const Shape& add_surface(const Surface_mesh<Soup_kernel::Point_3>& mesh,
                            const std::vector<std::size_t>& polygons)
   {
     const std::size_t first_point = m_result.points.size(), first_face = m_result.surface.faces.size();
@@ -222,7 +171,7 @@ private:
       surface.corner_begin.push_back(static_cast<Index>(surface.corner_vertices.size()));
       m_result.surface.faces.add(face);
     }
-    const Nearest_polygon nearest(m_arrays, std::vector<Index>(polygons.begin(), polygons.end()));
+    const Nearest_polygon nearest(m_arrays, polygons);
     for (Index f = 0; f < surface.number_of_faces(); ++f)
       m_result.surface.polygon_of_face.push_back(nearest(centroid_of_face(surface, f)));
     return m_shapes.emplace_back(surface, first_face);
@@ -245,12 +194,9 @@ inline double checked_gap(std::optional<double> gap, double size)
   return *gap;
 }
 
-template <typename Range>
-double size_of(const Range& points)
+inline double size_of(const std::vector<Polygon_soup::Point_3>& points)
 {
-  Bbox_3 box;
-  for (const Polygon_soup::Point_3& p : points)
-    box += p.bbox();
+  const Bbox_3 box = bbox_3(points.begin(), points.end());
   return std::sqrt(CGAL::square(box.x_span()) + CGAL::square(box.y_span()) + CGAL::square(box.z_span()));
 }
 
@@ -309,8 +255,8 @@ inline std::vector<std::size_t> pieces_of_polygons(const Polygon_soup& soup)
   return result;
 }
 
-// Surfaces around all that is nearer to each other than the gap; an automatic one if none is given. They have about that many
-// faces at most; that many take a quarter of a minute.
+// Surfaces around all that is nearer to each other than the gap; an automatic one if none is given. They have about
+// `most_faces` faces at most; the default takes a quarter of a minute.
 inline Wrapped_pieces wrap_pieces(Polygon_soup soup, std::optional<double> gap, double most_faces = 150000)
 {
   Wrapped_pieces result;
@@ -320,7 +266,7 @@ inline Wrapped_pieces wrap_pieces(Polygon_soup soup, std::optional<double> gap, 
     result.area_of_polygon.push_back(
       soup.polygons[i].empty() ? 0
                                : std::sqrt(area_vector(soup.points, soup.polygons[i]).squared_length()));
-  const double size = size_of(corners_of(soup));
+  const double size = size_of(of_corners(soup.points, soup.polygons.corners()));
   wrap_shapes(soup, size, std::ldexp(checked_gap(gap, std::ldexp(size, exponent)), -exponent), most_faces,
               result);
 

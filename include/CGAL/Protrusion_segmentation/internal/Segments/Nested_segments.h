@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SEGMENTS_NESTED_SEGMENTS_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 
 #include <CGAL/assertions.h>
@@ -63,6 +64,15 @@ public:
   // the faces of a segment, ascending
   const Faces& faces(std::size_t segment) const { return m_faces[segment]; }
 
+  // whether a face lies beside a face of another segment
+  bool is_on_border(const Indexed_surface& surface, Index face) const
+  {
+    for (Index c = surface.first_corner(face); c < surface.first_corner(face + 1); ++c)
+      if (const Index g = surface.neighbor(c); g != Indexed_surface::no_face() && m_labels[g] != m_labels[face])
+        return true;
+    return false;
+  }
+
   double area(const Indexed_surface& surface, std::size_t segment) const
   {
     double sum = 0;
@@ -103,14 +113,9 @@ private:
 
   void collect_faces()
   {
-    std::vector<std::size_t> sizes(m_parents.size(), 0);
-    for (Index label : m_labels)
-      ++sizes[label];
-    m_faces.resize(m_parents.size());
-    for (std::size_t s = 0; s < sizes.size(); ++s)
-      m_faces[s].reserve(sizes[s]);
-    for (Index f = 0; f < m_labels.size(); ++f)
-      m_faces[m_labels[f]].push_back(f);
+    const Index_groups faces(m_labels, m_parents.size());
+    for (Index s = 0; s < faces.number_of_groups(); ++s)
+      m_faces.emplace_back(faces[s].begin(), faces[s].end());
   }
 
   std::vector<Index> m_labels;

@@ -79,7 +79,7 @@ public:
       m_places.resize((std::max)({m_places.size(), limb.segment + 1, limb.parent + 1}));
     for (Index face = 0; face < surface.number_of_faces(); ++face)
     {
-      m_measures.push_back(measures(face));
+      m_measures.push_back(measure_polygon(Corners_of_face<Surface_arrays>{surface, face}));
       m_places[segments[face]].faces.push_back(face);
     }
     for (std::size_t i = 0; i < limbs.size(); ++i)
@@ -105,17 +105,9 @@ private:
     std::vector<std::pair<double, std::size_t>> levels; // of its joints that others hang on
   };
 
-  Polygon_measures measures(Index face) const
-  {
-    std::vector<Point> corners;
-    for (Index c = m_surface.first_corner(face); c < m_surface.first_corner(face + 1); ++c)
-      corners.push_back(m_surface.point(m_surface.vertex(c)));
-    return measure_polygon(corners);
-  }
-
   double distance(const Point& p, const Point& q) const { return std::sqrt(squared_distance(p, q)); }
 
-  // Calls `visit(face, neighbor, p, q)` for all edges of a segment to other segments, or to one of them.
+  // Calls `visit(face, neighbor, p, q)` for all edges between a segment and another one.
   template <typename Visit>
   void for_each_border_edge(std::size_t segment, std::size_t other, const Visit& visit) const
   {

@@ -10,7 +10,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 #include <CGAL/Protrusion_segmentation/internal/inline.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
@@ -37,38 +36,30 @@ public:
   // The faces of the surface for faces given by their positions in the mesh.
   std::vector<Index> faces_at(const std::vector<Index>& positions) const
   {
-    std::vector<Index> face = m_face_at;
-    face.resize((std::max)(face.size(), m_position.size()));
-    for (Index f = 0; f < m_position.size(); ++f)
-      face[m_position[f]] = f;
-    std::vector<Index> result;
-    for (Index p : positions)
-      result.push_back(face[p]);
-    return result;
+    return gather(m_face_at, positions);
   }
 
   // Values of the faces of the surface in the order of the mesh.
   std::vector<Index> in_order_of_mesh(const std::vector<Index>& values) const
   {
-    std::vector<Index> result;
-    if (!m_face_at.empty())
-    {
-      for (Index f : m_face_at)
-        result.push_back(values[f]);
-      return result;
-    }
-    result.resize(values.size());
-    for (Index f = 0; f < values.size(); ++f)
-      result[m_position[f]] = values[f];
-    return result;
+    return gather(values, m_face_at);
   }
 
 private:
   void take_in_order(Surface_arrays& arrays, bool is_parallel);
 
+  static std::vector<Index> gather(const std::vector<Index>& values, const std::vector<Index>& places)
+  {
+    std::vector<Index> result;
+    result.reserve(places.size());
+    for (Index place : places)
+      result.push_back(values[place]);
+    return result;
+  }
+
   double m_unit;
   std::vector<Index> m_position;
-  std::vector<Index> m_face_at; // of every face of the mesh, if there are small components
+  std::vector<Index> m_face_at; // of every face of the mesh; the nearest one if its component was left out
   Indexed_surface m_surface;
 };
 

@@ -57,7 +57,7 @@ private:
   using Box = Box_intersection_d::Box_with_info_d<double, 3, Index>;
   using Triangle = std::array<Point_3, 3>;
 
-  // Changes the side of a point, that which other triangles give it, if it lies on a triangle or below.
+  // Updates the side of a point for one more triangle: on the boundary if it lies on it, the other side if it lies below.
   static void pass(const Triangle& triangle, const Point_3& point, Bounded_side& side)
   {
     const auto exact = [](const Point_3& t) { return Exact::Point_3(t.x(), t.y(), t.z()); };

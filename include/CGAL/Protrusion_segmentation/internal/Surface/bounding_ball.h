@@ -10,12 +10,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// The ball around the bounding box of points.
+// The ball around the bounding box of points, if there are any.
 struct Ball
 {
   std::array<double, 3> center = {0, 0, 0};
@@ -26,6 +25,8 @@ struct Ball
 inline Ball bounding_ball(const std::vector<Simple_cartesian<double>::Point_3>& points)
 {
   Ball ball;
+  if (points.empty())
+    return ball;
   std::array<double, 3> half_extents = {0, 0, 0};
   for (int c = 0; c < 3; ++c)
   {

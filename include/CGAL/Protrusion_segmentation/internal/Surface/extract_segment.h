@@ -10,7 +10,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
@@ -112,49 +111,6 @@ private:
   bool m_is_parallel;
   std::vector<Index> m_new_face;
   std::vector<Index> m_new_vertex;
-};
-
-// A segment as a surface of its own.
-struct Extracted_segment
-{
-  Indexed_surface surface;
-  std::vector<Indexed_surface::Index>
-    faces;                     // the face of the whole surface for every face of the segment
-  std::vector<bool> is_on_cut; // whether a face of the segment lost a neighbour
-};
-
-// Cuts segments out of a surface.
-class Segment_extractor
-{
-public:
-  using Index = Indexed_surface::Index;
-
-  explicit Segment_extractor(const Indexed_surface& surface, bool is_parallel = false)
-    : m_surface(surface),
-      m_is_parallel(is_parallel),
-      m_select(surface, is_parallel)
-  {}
-
-  // The segment with the given faces, numbered in the given order.
-  Extracted_segment operator()(std::vector<Index> faces)
-  {
-    Surface_arrays arrays = m_select(faces);
-    std::vector<bool> is_on_cut(faces.size(), false);
-    for (Index i = 0; i < faces.size(); ++i)
-    {
-      Index old = m_surface.first_corner(faces[i]);
-      for (Index c = arrays.first_corner(i); c < arrays.first_corner(i + 1); ++c, ++old)
-        if (arrays.neighbor(c) != m_surface.neighbor(old) &&
-            arrays.neighbor(c) == Indexed_surface::no_face())
-          is_on_cut[i] = true;
-    }
-    return {std::move(arrays).to_surface(m_is_parallel), std::move(faces), std::move(is_on_cut)};
-  }
-
-private:
-  const Indexed_surface& m_surface;
-  bool m_is_parallel;
-  Face_selector<Indexed_surface> m_select;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

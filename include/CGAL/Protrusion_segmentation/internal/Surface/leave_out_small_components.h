@@ -20,6 +20,7 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <limits>
 #include <map>
 #include <tuple>
@@ -137,28 +138,31 @@ leave_out_small_components(Surface_arrays surface)
   using Index = Indexed_surface::Index;
   Surface_without_small_components result;
   const std::vector<Index> component = components_of_faces(surface);
-  const std::vector<bool> is_small = small_components(surface, component);
-  result.is_connected = is_small.size() == 1;
-  if (is_small.size() < 2)
+  const std::size_t number = component.empty()
+                               ? 0
+                               : *std::max_element(component.begin(), component.end()) + std::size_t(1);
+  result.is_connected = number == 1;
+  if (number < 2)
   {
     result.arrays = std::move(surface);
     return result;
   }
   const int exponent = scale_to_unit(surface.points);
+  const std::vector<bool> is_small = small_components(surface, component, number);
   const auto scale_back = [exponent](Surface_arrays arrays)
   {
     for (Indexed_surface::Point_3& p : arrays.points)
       p = scaled_by_power_of_two(p, exponent);
     return arrays;
   };
-  const Nested_components nested(surface, component, is_small.size());
+  const Nested_components nested(surface, component, number);
   const std::vector<Index> walls = walls_of_cavities(nested, is_small);
   std::size_t number_left = 0;
-  for (Index c = 0; c < is_small.size(); ++c)
+  for (Index c = 0; c < number; ++c)
     number_left += !is_small[c] && walls[c] == c ? 1 : 0;
   result.number_of_small_components = std::size_t(std::count(is_small.begin(), is_small.end(), true));
   result.is_connected = number_left == 1;
-  if (number_left == is_small.size())
+  if (number_left == number)
   {
     result.arrays = scale_back(std::move(surface));
     return result;

@@ -37,24 +37,20 @@ private:
   double m_largest = 0;
 };
 
-inline int exponent_of_largest_coordinate(const std::vector<Indexed_surface::Point_3>& points)
-{
-  Largest_coordinate largest;
-  for (const Indexed_surface::Point_3& p : points)
-    largest.add(p);
-  return largest.exponent();
-}
-
 inline Indexed_surface::Point_3 scaled_by_power_of_two(const Indexed_surface::Point_3& p, int exponent)
 {
   return {std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent), std::ldexp(p.z(), exponent)};
 }
 
 // Scales the points by a power of two, which changes no digit, so that squares of areas neither overflow nor vanish; returns
-// the exponent of the power that scales them back.
-inline int scale_to_unit(std::vector<Indexed_surface::Point_3>& points)
+// the exponent of the power that scales them back, at most `most`.
+inline int scale_to_unit(std::vector<Indexed_surface::Point_3>& points,
+                         int most = std::numeric_limits<double>::max_exponent)
 {
-  const int exponent = exponent_of_largest_coordinate(points);
+  Largest_coordinate largest;
+  for (const Indexed_surface::Point_3& p : points)
+    largest.add(p);
+  const int exponent = (std::min)(largest.exponent(), most);
   for (Indexed_surface::Point_3& p : points)
     p = scaled_by_power_of_two(p, -exponent);
   return exponent;
@@ -66,24 +62,14 @@ inline int scale_to_unit(std::vector<Indexed_surface::Point_3>& points)
 // the result fills [-2, 2]^3: the factor 2^1024 would be no double.
 inline double normalize(std::vector<Indexed_surface::Point_3>& points)
 {
-  int exponent = 0;
-  const auto scale_by_largest = [&points, &exponent]()
-  {
-    const int e = (std::min)(exponent_of_largest_coordinate(points),
-                             std::numeric_limits<double>::max_exponent - 1 - exponent);
-    for (Indexed_surface::Point_3& p : points)
-      p = scaled_by_power_of_two(p, -e);
-    exponent += e;
-  };
-
-  scale_by_largest();
+  constexpr int most = std::numeric_limits<double>::max_exponent - 1;
+  const int exponent = scale_to_unit(points, most);
   const Bbox_3 box = bbox_3(points.begin(), points.end());
   const Indexed_surface::Vector_3 centre((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
                                       (box.zmin() + box.zmax()) / 2);
   for (Indexed_surface::Point_3& p : points)
     p = p - centre;
-  scale_by_largest();
-  return std::ldexp(1., exponent);
+  return std::ldexp(1., exponent + scale_to_unit(points, most - exponent));
 }
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -10,7 +10,6 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <algorithm>
@@ -35,47 +34,16 @@ inline std::vector<bool> small_components(const std::vector<double>& areas,
   return result;
 }
 
-// Areas and centroids of faces, in a unit in which squares of areas neither overflow nor vanish: a power of two, which
-// changes no digit.
-class Scaled_faces
-{
-public:
-  using Index = Indexed_surface::Index;
-
-  explicit Scaled_faces(const Surface_arrays& surface)
-    : m_surface(surface),
-      m_exponent(exponent_of_largest_coordinate(surface.points))
-  {}
-
-  Polygon_measures operator()(Index face)
-  {
-    m_corners.clear();
-    for (Index c = m_surface.first_corner(face); c < m_surface.first_corner(face + 1); ++c)
-      m_corners.push_back(scaled_by_power_of_two(m_surface.point(m_surface.vertex(c)), -m_exponent));
-    return measure_polygon(m_corners);
-  }
-
-private:
-  const Surface_arrays& m_surface;
-  int m_exponent;
-  std::vector<Indexed_surface::Point_3> m_corners;
-};
-
-// The same for the components of a surface, by the component of every face.
+// The same for the components of a surface, by the component of every face. Coordinates are at most 1.
 inline std::vector<bool> small_components(const Surface_arrays& surface,
-                                          const std::vector<Indexed_surface::Index>& components)
+                                          const std::vector<Indexed_surface::Index>& components,
+                                          std::size_t number_of_components)
 {
-  const std::size_t number = components.empty()
-                               ? 0
-                               : *std::max_element(components.begin(), components.end()) + std::size_t(1);
-  if (number < 2)
-    return std::vector<bool>(number, false);
-  Scaled_faces measure(surface);
-  std::vector<double> areas(number, 0);
-  std::vector<std::size_t> face_counts(number, 0);
+  std::vector<double> areas(number_of_components, 0);
+  std::vector<std::size_t> face_counts(number_of_components, 0);
   for (Indexed_surface::Index f = 0; f < surface.number_of_faces(); ++f)
   {
-    areas[components[f]] += measure(f).area;
+    areas[components[f]] += measure_polygon(Corners_of_face<Surface_arrays>{surface, f}).area;
     ++face_counts[components[f]];
   }
   return small_components(areas, face_counts);

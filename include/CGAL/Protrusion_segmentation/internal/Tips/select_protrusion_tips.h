@@ -15,16 +15,9 @@
 #include <cstddef>
 #include <limits>
 #include <queue>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
-
-struct Tip_selection
-{
-  std::vector<Indexed_surface::Index> tips;
-  std::size_t number_of_eliminated = 0;
-};
 
 // Section III.C: eq. (1), then eq. (2) until there are `count` plausible tips or no face is left at a
 // distance from all tips. An implausible one is eliminated: it takes part in eq. (2) but does not count; so
@@ -32,24 +25,24 @@ struct Tip_selection
 // `visit(tip, distances from the tip)` is called for every tip, eliminated or not: one distance computation
 // serves the selection and the histograms.
 template <typename Plausible, typename Visit>
-Tip_selection select_protrusion_tips(const Indexed_surface& surface,
-                                     Distances_on_surface& distances,
-                                     std::size_t count,
-                                     Plausible is_plausible,
-                                     Visit visit)
+void select_protrusion_tips(const Indexed_surface& surface,
+                            Distances_on_surface& distances,
+                            std::size_t count,
+                            Plausible is_plausible,
+                            Visit visit)
 {
   using Index = Indexed_surface::Index;
-  Tip_selection selection;
   Index face = count > 0 ? distances.face_of_largest_sum() : 0;
   std::vector<double> to_nearest_tip(surface.number_of_faces(), (std::numeric_limits<double>::max)());
   std::vector<double> from_tip;
-  while (selection.tips.size() < count)
+  std::size_t number_of_plausible = 0, number_of_eliminated = 0;
+  while (number_of_plausible < count)
   {
     distances(face, from_tip);
     visit(face, from_tip);
     if (is_plausible(face))
-      selection.tips.push_back(face);
-    else if (++selection.number_of_eliminated == count)
+      ++number_of_plausible;
+    else if (++number_of_eliminated == count)
       break;
     for (Index f = 0; f < surface.number_of_faces(); ++f)
       to_nearest_tip[f] = (std::min)(to_nearest_tip[f], from_tip[f]);
@@ -58,19 +51,6 @@ Tip_selection select_protrusion_tips(const Indexed_surface& surface,
     if (to_nearest_tip[face] <= 0)
       break;
   }
-  return selection;
-}
-
-// The same where every face is plausible.
-inline std::vector<Indexed_surface::Index> select_protrusion_tips(const Indexed_surface& surface,
-                                                                  Distances_on_surface& distances,
-                                                                  std::size_t count)
-{
-  using Index = Indexed_surface::Index;
-  return select_protrusion_tips(
-           surface, distances, count, [](Index) { return true; },
-           [](Index, const std::vector<double>&) {})
-    .tips;
 }
 
 // A tip's protrusion holds no other tip. Where fewer tips than that are picked, further ones, as far as can be from all
@@ -149,7 +129,7 @@ inline std::vector<Indexed_surface::Index> select_tips_of_components(const Index
     face_counts.push_back(components.faces(c).size());
   }
   const std::vector<std::size_t> shares = share_out_tips(number_of_tips, areas, face_counts);
-  Segment_extractor extract(surface);
+  Face_selector<Indexed_surface> select(surface);
   std::vector<Index> tips;
   for (std::size_t c = 0; c < shares.size(); ++c)
   {
@@ -158,10 +138,12 @@ inline std::vector<Indexed_surface::Index> select_tips_of_components(const Index
     const double begin = static_cast<double>(tips.size()) / static_cast<double>(number_of_tips);
     const double end = begin + static_cast<double>(shares[c]) / static_cast<double>(number_of_tips);
     const Execution::Subtask subtask(execution, begin, end);
-    const Extracted_segment component = extract(components.faces(c));
-    const auto distances = distance.on(component.surface, execution);
-    for (Index tip : select_protrusion_tips(component.surface, *distances, shares[c]))
-      tips.push_back(component.faces[tip]);
+    const Nested_segments::Faces& faces = components.faces(c);
+    const Indexed_surface component = select(faces).to_surface();
+    const auto distances = distance.on(component, execution);
+    select_protrusion_tips(
+      component, *distances, shares[c], [](Index) { return true; },
+      [&](Index tip, const std::vector<double>&) { tips.push_back(faces[tip]); });
     execution.observer().distances_computed(distances->number_of_runs());
   }
   return tips;

@@ -8,7 +8,6 @@
 #include <CGAL/Kernel/global_functions.h>
 #include <CGAL/Simple_cartesian.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>

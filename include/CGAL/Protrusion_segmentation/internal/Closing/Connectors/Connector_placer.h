@@ -11,13 +11,11 @@
 #include <CGAL/Protrusion_segmentation/internal/Closing/Connectors/Obstacles.h>
 #include <CGAL/Protrusion_segmentation/internal/Closing/Connectors/Seen_cap.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/bounding_ball.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -62,15 +60,15 @@ public:
   std::vector<Placed> place(std::vector<Flat_cap>& caps)
   {
     std::vector<Seen_cap> seen;
-    std::map<std::pair<std::size_t, Triangle>, int> uses;
+    std::set<std::pair<std::size_t, Triangle>> uses;
     for (std::size_t c = 0; c < caps.size(); ++c)
     {
       seen.push_back(see_cap(caps[c].loop, m_points));
       m_obstacles.add(c, caps[c], caps[c].of_parent);
       for (const Triangle& triangle : caps[c].of_parent)
       {
-        ++uses[{caps[c].parent, triangle}];
-        ++uses[{caps[c].segment, turned_over(triangle)}];
+        uses.emplace(caps[c].parent, triangle);
+        uses.emplace(caps[c].segment, turned_over(triangle));
       }
     }
     const auto is_alone = [&](const Flat_cap& cap)
@@ -172,10 +170,10 @@ private:
              Placed& result)
   {
     constexpr int most_rounds = 8, most_vain_rounds = 2;
-    const std::set<std::pair<std::size_t, std::size_t>> own_edges = edges_of(cap.of_parent);
+    const std::set<Edge> own_edges = edges_of(cap.of_parent);
     const auto is_taken = [&](std::size_t v, std::size_t w)
     {
-      const auto edge = edge_between(v, w);
+      const Edge edge = std::minmax(v, w);
       return m_new_edges.count(edge) > 0 || (m_capper.is_edge(edge) && own_edges.count(edge) == 0);
     };
     const Number_of_cuts most_cuts = sum(m_obstacles.numbers_of_cuts(cap, cap.of_parent));
@@ -234,8 +232,7 @@ private:
   {
     m_obstacles.add(c, cap, built.with_peg());
     m_obstacles.add(c, cap, built.with_socket());
-    for (const auto& edge : edges_of(built.between()))
-      m_new_edges.insert(edge);
+    m_new_edges.merge(edges_of(built.between()));
     cap.of_parent = is_up ? built.with_peg() : built.with_socket();
     cap.of_segment = is_up ? built.with_socket() : built.with_peg();
     std::transform(cap.of_segment.begin(), cap.of_segment.end(), cap.of_segment.begin(), turned_over);
@@ -249,22 +246,13 @@ private:
     result.tolerance = prism.tolerance;
   }
 
-  static std::set<std::pair<std::size_t, std::size_t>> edges_of(const std::vector<Triangle>& triangles)
-  {
-    std::set<std::pair<std::size_t, std::size_t>> edges;
-    for (const Triangle& triangle : triangles)
-      for (std::size_t i = 0; i < 3; ++i)
-        edges.insert(edge_between(triangle[i], triangle[(i + 1) % 3]));
-    return edges;
-  }
-
   const Capper& m_capper;
   const Connector_options& m_options;
   std::vector<Point>& m_points;
   Obstacles m_obstacles;
   std::optional<double> m_tolerance;
   double m_smallest_radius;
-  std::set<std::pair<std::size_t, std::size_t>> m_new_edges;
+  std::set<Edge> m_new_edges;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal::connectors

@@ -30,22 +30,11 @@ struct Prism
 
   double angle_of_side() const { return 2 * CGAL_PI / double(number_of_sides); }
 
-  // The apothem of a polygon of this radius.
-  double apothem_of(double radius_of_polygon) const
-  {
-    return radius_of_polygon * std::cos(angle_of_side() / 2);
-  }
   double radius_of(double apothem_of_polygon) const
   {
     return apothem_of_polygon / std::cos(angle_of_side() / 2);
   }
-  double apothem() const { return apothem_of(radius); }
-
-  // From the cap to the end.
-  std::vector<Ring> rings_of_peg() const { return rings_moved_by(0); }
-
-  // Each plane of the peg is moved outwards by the tolerance.
-  std::vector<Ring> rings_of_socket() const { return rings_moved_by(tolerance); }
+  double apothem() const { return radius * std::cos(angle_of_side() / 2); }
 
   std::vector<Point_2> corners(double apothem_of_ring) const
   {
@@ -60,7 +49,7 @@ struct Prism
     return result;
   }
 
-private:
+  // From the cap to the end, with each plane of the prism moved outwards.
   std::vector<Ring> rings_moved_by(double step) const
   {
     // Where a side and an end, each moved by the step, meet a slope of 45 degrees that is moved by the same.

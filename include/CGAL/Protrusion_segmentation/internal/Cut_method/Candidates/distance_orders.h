@@ -18,13 +18,13 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// The nodes of a segment, in ascending order, by their distances from its tips in the distance of the user's choice. A
-// node is as far as its faces are on average.
+// Orders of the nodes of a segment, which are ascending, by their distances from its tips, in the distance of the user's choice. A node
+// is as far as its faces are on average.
 inline std::vector<Nodes> distance_orders(const Indexed_surface& surface,
-                                                           const Nodes& nodes,
-                                                           const std::vector<Indexed_surface::Index>& node_of_face,
-                                                           const Any_distance& distance,
-                                                           Execution& execution)
+                                          const Nodes& nodes,
+                                          const std::vector<Indexed_surface::Index>& node_of_face,
+                                          const Any_distance& distance,
+                                          Execution& execution)
 {
   using Index = Indexed_surface::Index;
   constexpr std::size_t number_of_tips = 6; // every one costs a distance computation on all faces
@@ -32,20 +32,20 @@ inline std::vector<Nodes> distance_orders(const Indexed_surface& surface,
   for (Index f = 0; f < surface.number_of_faces(); ++f)
     if (std::binary_search(nodes.begin(), nodes.end(), node_of_face[f]))
       faces.push_back(f);
-  const Extracted_segment segment = Segment_extractor(surface)(std::move(faces));
-  const auto distances = distance.on(segment.surface, execution);
+  const Indexed_surface segment = Face_selector<Indexed_surface>(surface)(faces).to_surface();
+  const auto distances = distance.on(segment, execution);
   std::vector<double> mean(nodes.empty() ? 0 : nodes.back() + 1);
   std::vector<Index> count(mean.size());
   std::vector<Nodes> orders;
   select_protrusion_tips(
-    segment.surface, *distances, number_of_tips, [](Index) { return true; },
+    segment, *distances, number_of_tips, [](Index) { return true; },
     [&](Index, const std::vector<double>& from_tip)
     {
       mean.assign(mean.size(), 0);
       count.assign(count.size(), 0);
       for (Index f = 0; f < from_tip.size(); ++f)
       {
-        const Index node = node_of_face[segment.faces[f]];
+        const Index node = node_of_face[faces[f]];
         mean[node] += (from_tip[f] - mean[node]) / ++count[node];
       }
       orders.push_back(nodes);

@@ -39,7 +39,7 @@ public:
       Nodes(1, tip), [&](Index, Index to) { return m_partition.is_selected(to); }, m_distances.seam_lengths());
   }
 
-  // The orders from the tips of a segment, selected by eq. (2) from the node farthest from the segment's centre of
+  // The orders from the tips of a segment, selected by eq. (2) of the paper from the node farthest from the segment's centre of
   // gravity on until the segment is covered.
   std::vector<Nodes> operator()(const Segment& segment, Execution& execution)
   {

@@ -9,7 +9,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarsen_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Edge_conductances.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/conductance.h>
 
 #include <CGAL/number_utils.h>
 

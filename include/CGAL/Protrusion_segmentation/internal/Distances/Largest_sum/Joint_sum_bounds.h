@@ -97,7 +97,7 @@ private:
   // On twelve Princeton models the search takes 2157 visits with 16 sources and 2319 with 8. Each source takes four bytes a
   // face.
   static constexpr std::size_t most_sources = 12;
-  // Of eight operations that may be rounded four are.
+  // Four operations are rounded, by half an epsilon each; the factor has room for eight.
   static constexpr double rounding_of_floats = 1 + 4 * (std::numeric_limits<float>::epsilon)();
 
   Index group_begin(Index group) const

@@ -104,13 +104,8 @@ public:
       visit(visits == visit_to_middle ? middle().value_or(*next) : *next);
       next = most_promising();
     }
-    m_bound = next ? m_bounds[*next] : m_largest;
     return m_best;
   }
-
-  // By how much another face may do better, relative to the sum of the face that was returned; 0 if the
-  // search came to its end.
-  double gap() const { return m_bound > m_largest ? m_bound / m_largest - 1 : 0; }
 
   // The distances from the face that was returned, which leave the search.
   std::vector<double> take_distances_from_best() { return std::move(m_from_best); }
@@ -260,7 +255,6 @@ private:
   std::vector<double> m_from_face, m_from_best;
   Index m_best = 0;
   double m_largest = -1;
-  double m_bound = -1;
 };
 
 // The face of eq. (1) for a metric, the same as of all pairs.

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_CUT_ALONG_SMOOTH_BORDERS_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_CUT_ALONG_SMOOTH_BORDERS_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_BORDER_SMOOTHER_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_BORDER_SMOOTHER_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Borders/Corner_fans.h>
@@ -13,10 +13,12 @@
 #include <CGAL/Protrusion_segmentation/internal/Borders/Fan_shares.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 
+#include <boost/range/irange.hpp>
+
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <map>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -28,6 +30,9 @@ struct Smooth_borders
   std::size_t number_of_fixed_segments = 0; // that would have been torn or lost, and keep their faces
 };
 
+// Moves the borders between segments to smooth lines, along which faces are cut. No border gets longer, and there is none
+// between segments that had none: borders that would become so stay where they are. A segment that does not come out in as many
+// connected parts as it had keeps its faces.
 class Border_smoother
 {
 public:
@@ -42,8 +47,7 @@ public:
       m_segment_of_face(segment_of_face),
       m_number_of_rounds(number_of_rounds),
       m_parts(number_of_segments, 0),
-      m_borders(surface, segment_of_face, number_of_segments),
-      m_kept(number_of_segments, surface.number_of_vertices())
+      m_borders(surface, segment_of_face, number_of_segments)
   {
     for (Index label : label_components(surface, segment_of_face).label)
       ++m_parts[label];
@@ -101,20 +105,18 @@ private:
     for (const auto& part : parts)
       sizes.push_back(part.size());
     std::sort(sizes.begin(), sizes.end());
-    bool is_any_new = false;
+    std::vector<Index> vertices;
     for (const auto& part : parts)
       if (part.size() <= sizes[parts.size() - m_parts[s] - 1])
         for (Index piece : part)
-          is_any_new = keep_at_corners(result.pieces[piece].face) || is_any_new;
-    return is_any_new;
+          add_corners(result.pieces[piece].face, vertices);
+    return keep_at_vertices(vertices);
   }
 
-  bool keep_at_corners(Index f)
+  void add_corners(Index f, std::vector<Index>& vertices) const
   {
-    bool is_any_new = false;
     for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
-      is_any_new = m_kept.keep_at_vertex(m_surface.vertex(c)) || is_any_new;
-    return is_any_new;
+      vertices.push_back(m_surface.vertex(c));
   }
 
   // Keeps more around borders that got longer and between segments that did not touch before. A border that smoothing does not
@@ -144,8 +146,7 @@ private:
       if (pair.first == pair.second || m_borders.contains(pair))
         continue;
       for (Index f : {piece.face, other.face})
-        for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
-          contacts[pair].push_back(m_surface.vertex(c));
+        add_corners(f, contacts[pair]);
     }
     return contacts;
   }
@@ -170,8 +171,8 @@ private:
     case 0: return is_old ? m_kept.keep_between(s, t) : keep_at_vertices(contacts.at(pair));
     case 1: return is_old && keep_at_vertices(m_borders.junctions_of(pair));
     case 2: return keep_to_common_neighbors(s, t);
-    case 3: return keep_to_neighbors({s, t});
-    default: return keep_everywhere();
+    case 3: return keep_to_neighbors(std::array{s, t});
+    default: return keep_to_neighbors(boost::irange(Index(0), Index(m_parts.size())));
     }
   }
 
@@ -194,20 +195,14 @@ private:
     return is_any_new;
   }
 
-  bool keep_to_neighbors(const std::vector<Index>& segments)
+  template <typename Segments>
+  bool keep_to_neighbors(const Segments& segments)
   {
     bool is_any_new = false;
     for (Index s : segments)
       for (Index neighbor : m_borders.neighbors(s))
         is_any_new = m_kept.keep_between(s, neighbor) || is_any_new;
     return is_any_new;
-  }
-
-  bool keep_everywhere()
-  {
-    std::vector<Index> segments(m_parts.size());
-    std::iota(segments.begin(), segments.end(), Index(0));
-    return keep_to_neighbors(segments);
   }
 
   const Indexed_surface& m_surface;
@@ -220,17 +215,6 @@ private:
   std::map<Pair, std::size_t> m_steps; // how often more was kept around a border
 };
 
-// Moves the borders between segments to smooth lines, along which faces are cut. No border gets longer, and there is none
-// between segments that had none: borders that would become so stay where they are. A segment that does not come out in as many
-// connected parts as it had keeps its faces.
-inline Smooth_borders cut_along_smooth_borders(const Indexed_surface& surface,
-                                               const std::vector<Indexed_surface::Index>& segment_of_face,
-                                               std::size_t number_of_segments,
-                                               std::size_t number_of_rounds)
-{
-  return Border_smoother(surface, segment_of_face, number_of_segments, number_of_rounds).smooth();
-}
-
 } // namespace CGAL::Protrusion_segmentation::internal
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_CUT_ALONG_SMOOTH_BORDERS_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_BORDERS_BORDER_SMOOTHER_H

@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_EDGE_CONDUCTANCES_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_EDGE_CONDUCTANCES_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CONDUCTANCE_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CONDUCTANCE_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 
@@ -29,31 +29,6 @@ Number conductance(Number edge_length, Number arc_length, Number shortest)
   return (std::max)(edge_length, shortest) / (std::max)(arc_length, shortest);
 }
 
-// The same for the corners of a surface.
-class Edge_conductances
-{
-public:
-  using Index = Indexed_surface::Index;
-
-  explicit Edge_conductances(const Indexed_surface& surface)
-    : m_surface(surface),
-      m_shortest(shortest_length(surface.area(), surface.number_of_faces()))
-  {}
-
-  // `corner` is one of a face that has a neighbour there
-  double operator()(Index face, Index corner) const
-  {
-    if (!(m_shortest > 0))
-      return 1; // all points are equal, or nearly
-    return conductance(m_surface.edge_length(face, corner),
-                       m_surface.arc_length(face, m_surface.neighbor(corner)), m_shortest);
-  }
-
-private:
-  const Indexed_surface& m_surface;
-  double m_shortest;
-};
-
 } // namespace CGAL::Protrusion_segmentation::internal
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_EDGE_CONDUCTANCES_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_CONDUCTANCE_H
