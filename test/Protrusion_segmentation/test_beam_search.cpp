@@ -192,7 +192,7 @@ void sets_end_where_cuts_gain_little(const Test_mesh& mesh, double least_gain)
     unlimited(graphs.coarse, search, options);
   std::size_t number = 1;
   for (; limited.best_protrusions(number + 1); ++number)
-    CGAL_CHECK(limited.gain(number + 1) > least_gain);
+    CGAL_CHECK(limited.gain_of_last(number + 1) > least_gain);
   CGAL_CHECK(number > 1);
   for (std::size_t k = 1; k <= number; ++k)
     CGAL_CHECK_EQUAL(limited.best(k)->value, unlimited.best(k)->value);

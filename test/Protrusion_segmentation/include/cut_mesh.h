@@ -11,7 +11,7 @@
 #include "dual_graphs.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Bisection.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_clues.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Clues_of_cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
 
 #include <cstddef>

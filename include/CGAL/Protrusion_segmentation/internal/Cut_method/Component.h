@@ -77,10 +77,10 @@ public:
   }
 
   // What segment `number_of_segments` + 1 gains; nothing if there is none.
-  std::optional<double> gain(std::size_t number_of_segments)
+  std::optional<double> gain_of_next(std::size_t number_of_segments)
   {
     return m_beam.best(number_of_segments + 1)
-             ? std::optional<double>(m_beam.gain(number_of_segments + 1))
+             ? std::optional<double>(m_beam.gain_of_last(number_of_segments + 1))
              : std::nullopt;
   }
 

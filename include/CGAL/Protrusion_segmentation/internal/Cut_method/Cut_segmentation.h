@@ -149,7 +149,7 @@ private:
     std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
     const auto offer = [&](std::size_t c)
     {
-      if (const std::optional<double> gain = loaded[c].component->gain(numbers[c]))
+      if (const std::optional<double> gain = loaded[c].component->gain_of_next(numbers[c]))
         offers.emplace(numbers[c] >= automatic[c], -*gain, c);
     };
     for (std::size_t c = 0; c < loaded.size(); ++c)

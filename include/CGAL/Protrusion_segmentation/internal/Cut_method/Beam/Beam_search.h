@@ -75,13 +75,13 @@ public:
       [&](std::size_t n) -> std::optional<double>
       {
         [[maybe_unused]] const auto lives = step(n);
-        return best_protrusions(n + 1) ? std::optional<double>(gain(n + 1)) : std::nullopt;
+        return best_protrusions(n + 1) ? std::optional<double>(gain_of_last(n + 1)) : std::nullopt;
       },
       [this](std::size_t n) -> const Cut_set& { return *best(n); }, m_options);
   }
 
   // What the last of a number of segments gains, of those that were asked for.
-  double gain(std::size_t number_of_segments) const
+  double gain_of_last(std::size_t number_of_segments) const
   {
     return m_best[number_of_segments - 1].value - m_best[number_of_segments - 2].value;
   }
@@ -164,7 +164,8 @@ private:
   }
 
   // The most promising segments of the beam that have not been searched yet and might change which sets of at least some
-  // value are the best next ones. The promise is an upper bound, by the area. Many small segments are never searched.
+  // value are the best next ones. The promise is the most that a cut of a segment of that area usually gains. Many small segments
+  // promise too little to be searched.
   std::vector<Index> segments_to_search(const std::vector<Cut_set>& next, double least) const
   {
     if (next.size() == m_options.number_of_sets)

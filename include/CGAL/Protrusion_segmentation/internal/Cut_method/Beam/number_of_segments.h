@@ -38,7 +38,7 @@ std::size_t number_before_largest_drop(Gain gain, const Cut_options& options)
   return best;
 }
 
-// Whether some of the cuts mark a place of the surface.
+// Whether enough of the value is that of cuts that mark a place of the surface.
 inline bool has_distinct_cuts(const Cut_set& set)
 {
   constexpr double least_share = 0.15; // of the value: one cut in a rough tube may be distinct by chance

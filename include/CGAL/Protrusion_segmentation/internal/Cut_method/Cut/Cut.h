@@ -6,7 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CUT_H
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Bisection.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_clues.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Clues_of_cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Local_connectivity.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/minimum_cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
@@ -32,9 +32,9 @@ struct Cut
   double probability = 0;   // that people put the sides into different segments
 };
 
-// Values a cut by its clues: the expected gain in pairs of points that are rightly together or apart. That is the
-// probability that the sides belong apart, less the one that they belong together, times the number of pairs on
-// different sides. The root of that number keeps the largest segments from being cut for their size alone.
+// Values a cut by its clues: the probability that the sides belong apart, less the one that they belong together, times the root of the
+// product of their areas. The product itself, the number of pairs of points on different sides, would have the largest segments cut
+// for their size alone.
 inline void value_by_clues(const Cut_weights& weights, Cut& cut)
 {
   const double log_odds = weights(cut.clues);

@@ -63,16 +63,16 @@ public:
 
   const std::vector<Edge>& operator()() const { return m_edges; }
 
-  // The chord of the border from `reach` before to `reach` behind the middle of an edge, scaled to the length of that.
+  // The chord of the border from `reach` before to `reach` after the middle of an edge, scaled to the length of the edge.
   Vector_3 straight(std::size_t edge, double reach) const
   {
     const Vector_3 own = m_edges[edge].vector;
     const double length = std::sqrt(own.squared_length());
     Vector_3 chord = own;
-    for (bool is_behind : {false, true})
+    for (bool is_forward : {false, true})
     {
       double rest = reach - length / 2;
-      for (Index e = next(edge, is_behind); e != none && e != edge && rest > 0; e = next(e, is_behind))
+      for (Index e = next(edge, is_forward); e != none && e != edge && rest > 0; e = next(e, is_forward))
       {
         const double step = (std::max)(std::sqrt(m_edges[e].vector.squared_length()), least_step * reach);
         chord += m_edges[e].vector * (std::min)(1., rest / step);
@@ -87,9 +87,9 @@ private:
   static constexpr Index none = Indexed_surface::no_face();
   static constexpr double least_step = 1e-3; // that of an edge of no length
 
-  Index next(std::size_t edge, bool is_behind) const
+  Index next(std::size_t edge, bool is_forward) const
   {
-    return is_behind ? m_edge_from[m_edges[edge].to] : m_edge_to[m_edges[edge].from];
+    return is_forward ? m_edge_from[m_edges[edge].to] : m_edge_to[m_edges[edge].from];
   }
 
   std::vector<Edge> m_edges;

@@ -63,8 +63,8 @@ inline double signed_volume(const Indexed_surface& surface, bool is_parallel)
                      { sum += surface.area_vector(f) * (surface.centroid(f) - origin); });
 }
 
-// Finds the seams of a surface: an edge is concave if the averaged normals of its two faces lean towards each other. The sign
-// of the volume decides which side is inside.
+// Finds the seams of a surface: an edge is concave if the averaged normals of its two faces lean towards each other, or if it lies
+// in a valley of the roof over an open surface, or between two patches. The sign of the volume decides which side is inside.
 class Seam_finder
 {
 public:

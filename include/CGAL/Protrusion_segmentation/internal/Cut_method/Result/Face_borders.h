@@ -26,8 +26,8 @@ namespace CGAL::Protrusion_segmentation::internal {
 constexpr Band band_of_clusters = {0.05, 1.4, 0.7};
 constexpr Band band_of_groups = {0.5, 1, 0.7, 0.01};
 
-// Brings a segmentation of the coarse graph to the faces, or to groups of these: there, the border between any two
-// neighbouring segments becomes the minimum cut in a narrow band around it.
+// Moves the borders of a segmentation of the faces, or of groups of these: between any two neighbouring segments the border becomes the
+// minimum cut in a narrow band around it.
 class Face_borders
 {
 public:

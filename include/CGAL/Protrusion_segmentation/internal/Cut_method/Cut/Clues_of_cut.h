@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CUT_CLUES_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CUT_CLUES_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CLUES_OF_CUT_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CLUES_OF_CUT_H
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Bisection.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
@@ -23,7 +23,7 @@ namespace CGAL::Protrusion_segmentation::internal {
 // The strip beside a cut on one of its sides.
 struct Cut_strip
 {
-  double widening, shoulder; // see `Cut_clues`
+  double widening, shoulder; // see `Cut_clues` in Cut_weights.h
 };
 
 // Measures the strips beside cuts. Where the surface widens, a strip is larger than its length and width say: the sudden
@@ -243,4 +243,4 @@ private:
 
 } // namespace CGAL::Protrusion_segmentation::internal
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CUT_CLUES_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_CLUES_OF_CUT_H
