@@ -9,6 +9,7 @@
 #include "segmentations.h"
 #include "test_meshes.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Border_edges.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Border_roof.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/average_normals.h>
 
@@ -108,9 +109,10 @@ void normals_of_a_sphere_point_outward()
 
 void what_is_open()
 {
-  using CGAL::Protrusion_segmentation::internal::is_open;
-  CGAL_CHECK(is_open(to_surface(star(5, 30))));
-  CGAL_CHECK(!is_open(to_surface(icosphere(2))));
+  const auto is_open = [](const Test_mesh& mesh)
+  { return !CGAL::Protrusion_segmentation::internal::Border_edges(to_surface(mesh))().empty(); };
+  CGAL_CHECK(is_open(star(5, 30)));
+  CGAL_CHECK(!is_open(icosphere(2)));
 }
 
 // The roof over a half sphere falls towards the border, whichever side normals point to, and by less far away.
@@ -130,8 +132,9 @@ void a_roof_falls_towards_the_border()
     const auto graph = seam_graph(surface);
     const auto centre = centres(surface);
     const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(surface, graph, centre, quiet_execution());
+    const CGAL::Protrusion_segmentation::internal::Border_edges border(surface);
     const auto roof =
-      CGAL::Protrusion_segmentation::internal::Border_roof(surface, quiet_execution())(graph, centre, normals);
+      CGAL::Protrusion_segmentation::internal::Border_roof(surface, border, quiet_execution())(graph, centre, normals);
     for (Index f = 0; f < surface.number_of_faces(); ++f)
     {
       const double height = surface.centroid(f).z();

@@ -43,9 +43,9 @@ inline std::vector<std::size_t> surfaces_by_points(const Polygon_soup& soup,
       is_closed[(*begin)[2]] = false;
   }
   for (std::size_t i = 0; i < result.size(); ++i)
-    result[i] = is_closed[result[i]]                               ? result[i] + 3
+    result[i] = is_closed[result[i]]                                ? result[i] + 3
                 : is_reversed(of_corners(places, soup.polygons[i])) ? 2
-                                                                   : 1;
+                                                                    : 1;
   return result;
 }
 

@@ -8,57 +8,52 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Border_edges.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Border_roof.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/average_normals.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// Three times the signed volume of what closes a surface: each hole, the edges of a border that are connected, gets a fan
-// around its own centroid. A centre common to all holes would turn open surfaces inside out.
-inline double signed_volume_of_holes(const Indexed_surface& surface)
+// Three times the signed volume of what closes a surface: each hole, a connected part of its border, gets a fan around its own
+// centroid. A centre common to all holes would turn open surfaces inside out.
+inline double signed_volume_of_holes(const Indexed_surface& surface, const Border_edges& border)
 {
   using Index = Indexed_surface::Index;
   const Indexed_surface::Point_3 origin(0, 0, 0);
-  std::vector<std::pair<Index, Index>> edges; // of the border, by their vertices
-  for_each_border_corner(surface, [&](Index f, Index c)
-                         { edges.emplace_back(surface.vertex(c), surface.vertex(surface.next_corner(f, c))); });
-  if (edges.empty())
-    return 0;
-  Disjoint_sets holes(surface.number_of_vertices());
-  for (const auto& [a, b] : edges)
-    holes.union_set(a, b);
+  const std::vector<Index> hole = border.parts(); // of every edge
   std::map<Index, std::pair<Indexed_surface::Vector_3, double>> moments; // of every hole, with its length
-  for (const auto& [a, b] : edges)
+  for (std::size_t i = 0; i < hole.size(); ++i)
   {
-    auto& [moment, length] = moments.try_emplace(holes.find_set(a), Indexed_surface::Vector_3(0, 0, 0), 0.).first->second;
-    const double l = std::sqrt(squared_distance(surface.point(a), surface.point(b)));
-    moment += l * ((surface.point(a) - origin) + (surface.point(b) - origin)) / 2;
-    length += l;
+    const Border_edges::Edge& edge = border()[i];
+    auto& [moment, length] = moments.try_emplace(hole[i], Indexed_surface::Vector_3(0, 0, 0), 0.).first->second;
+    moment += edge.length() * ((surface.point(edge.from) - origin) + (surface.point(edge.to) - origin)) / 2;
+    length += edge.length();
   }
   double volume = 0;
-  for (const auto& [a, b] : edges)
+  for (std::size_t i = 0; i < hole.size(); ++i)
   {
-    const auto& [moment, length] = moments.at(holes.find_set(a));
-    if (length > 0) // a triangle b, a, centroid
-      volume += cross_product(surface.point(b) - origin, surface.point(a) - origin) * (moment / length) / 2;
+    const Border_edges::Edge& edge = border()[i];
+    const auto& [moment, length] = moments.at(hole[i]);
+    if (length > 0) // a triangle of the edge, turned over, and the centroid
+      volume += cross_product(surface.point(edge.to) - origin, surface.point(edge.from) - origin) * (moment / length) / 2;
   }
   return volume;
 }
 
 // Three times the signed volume of a surface, closed where it has holes.
-inline double signed_volume(const Indexed_surface& surface, bool is_parallel)
+inline double signed_volume(const Indexed_surface& surface, const Border_edges& border, bool is_parallel)
 {
   const Indexed_surface::Point_3 origin(0, 0, 0);
-  return signed_volume_of_holes(surface) +
+  return signed_volume_of_holes(surface, border) +
          add_numbers(surface.number_of_faces(), is_parallel, 0., [&](double& sum, Indexed_surface::Index f)
                      { sum += surface.area_vector(f) * (surface.centroid(f) - origin); });
 }
@@ -78,11 +73,12 @@ public:
   // `graph` has all of a dual graph, `centre` its centres.
   void operator()(Seam_graph& graph, const Centres& centre) const
   {
-    graph.outward = signed_volume(m_surface, m_execution.is_parallel()) < 0 ? -1 : 1;
+    const Border_edges border(m_surface);
+    graph.outward = signed_volume(m_surface, border, m_execution.is_parallel()) < 0 ? -1 : 1;
     const Triples normals = average_normals(m_surface, graph, centre, m_execution);
     Triples roof; // of an open surface
-    if (is_open(m_surface))
-      roof = Border_roof(m_surface, m_execution)(graph, centre, normals);
+    if (!border().empty())
+      roof = Border_roof(m_surface, border, m_execution)(graph, centre, normals);
     for (std::vector<float>* weights : {&graph.curvature, &graph.concave_length, &graph.folded_length, &graph.capacity})
       weights->resize(graph.target.size());
     for_each_number(graph.number_of_nodes(), m_execution.is_parallel(),
