@@ -12,6 +12,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <vector>
@@ -60,7 +61,7 @@ void segments_are_found_by_their_nodes(std::uint_fast32_t seed)
     CGAL_CHECK_EQUAL(memo[s].cuts.size(), cuts.size());
     for (const internal::Cut& cut : cuts)
     {
-      const Cut_set::Made_cut made = memo.made_cut(s, cut);
+      const Cut_set::Made_cut made = memo.made_cut(s, cut, cut.value);
       CGAL_CHECK_EQUAL(made.segment, s);
       CGAL_CHECK_EQUAL(made.value, cut.value);
       for (const Index side : {made.inner, made.outer})
@@ -84,10 +85,10 @@ void a_segment_is_the_same_in_any_order_of_cuts()
   internal::Cut first, second;
   first.inner = Nodes(all.begin(), all.begin() + 30);
   second.inner = Nodes(all.end() - 30, all.end());
-  const Cut_set::Made_cut first_of_whole = memo.made_cut(whole, first),
-                          second_of_whole = memo.made_cut(whole, second);
-  const Cut_set::Made_cut second_of_rest = memo.made_cut(first_of_whole.outer, second);
-  const Cut_set::Made_cut first_of_rest = memo.made_cut(second_of_whole.outer, first);
+  const Cut_set::Made_cut first_of_whole = memo.made_cut(whole, first, first.value),
+                          second_of_whole = memo.made_cut(whole, second, second.value);
+  const Cut_set::Made_cut second_of_rest = memo.made_cut(first_of_whole.outer, second, second.value);
+  const Cut_set::Made_cut first_of_rest = memo.made_cut(second_of_whole.outer, first, first.value);
   CGAL_CHECK_EQUAL(first_of_rest.outer, second_of_rest.outer);
   CGAL_CHECK_EQUAL(memo.number_of_segments(), 6u);
 }
@@ -104,11 +105,38 @@ void sets_add_up()
   CGAL_CHECK_EQUAL(set.cuts.size(), 3u);
 }
 
+// The log odds of a cut grow by `like_part` if a part of its size has been cut off before.
+void a_part_like_one_cut_off_before_gains_more()
+{
+  internal::Cut_weights weights;
+  weights.like_part = 2;
+  internal::Cut cut;
+  cut.log_odds = -0.5;
+  cut.root_of_areas = 0.25;
+  cut.size = {-3, -1, 0.5};
+  const auto gain_beside = [&](std::vector<internal::Size_of_part> sizes)
+  {
+    Cut_set set;
+    for (const internal::Size_of_part& size : sizes)
+      set.cuts.push_back({0, 0, 0, 1, 1, true, size});
+    return set.gain(cut, weights);
+  };
+  const double alone = 0.25 * std::tanh(-0.25), beside_equal = 0.25 * std::tanh(0.75);
+  CGAL_CHECK_CLOSE(gain_beside({}), alone, 1e-15);
+  CGAL_CHECK_CLOSE(gain_beside({{-3, -1, 0.5}}), beside_equal, 1e-15);
+  CGAL_CHECK_CLOSE(gain_beside({{-1, 0, 0}, {-3, -1, 0.5}, {-3, -1, 1}}), beside_equal, 1e-15); // the most alike decides
+  CGAL_CHECK_CLOSE(gain_beside({{-3, -1, 0.5}, {-3, -1, 0.5}}), beside_equal, 1e-15);
+  CGAL_CHECK_CLOSE(gain_beside({{-2, -1, 0.5}, {-3, 0, 0.5}, {-3, -1, 1.5}}), alone, 1e-9); // 1 / 2.7 as large in one of its sizes
+  for (const internal::Size_of_part& near : {internal::Size_of_part{-3.1, -1, 0.5}, {-3, -0.9, 0.5}, {-3, -1, 0.4}})
+    CGAL_CHECK(gain_beside({near}) > alone && gain_beside({near}) < beside_equal);
+}
+
 int main()
 {
   for (std::uint_fast32_t seed = 0; seed < 20; ++seed)
     segments_are_found_by_their_nodes(seed);
   a_segment_is_the_same_in_any_order_of_cuts();
   sets_add_up();
+  a_part_like_one_cut_off_before_gains_more();
   return check::result();
 }

@@ -94,5 +94,6 @@ std::vector<Segmentation_method> ablation_methods()
           without_clues("thickness", {{&Cut_weights::thickness, -0.68}}),
           without_clues("pocket", {{&Cut_weights::pocket, 0}}),
           without_clues("several-loops", {{&Cut_weights::several_loops, 0.09}}),
-          without_clues("flatness", {{&Cut_weights::flatness, 0}})};
+          without_clues("flatness", {{&Cut_weights::flatness, 0}}),
+          without_clues("like-part", {{&Cut_weights::like_part, 0}})};
 }

@@ -42,7 +42,7 @@ struct Named_weight
   double first_step;
 };
 
-constexpr std::array<Named_weight, 21> named_weights = {
+constexpr std::array<Named_weight, 22> named_weights = {
   {{"bias", &Cut_weights::bias, 0.5},
    {"concave_share", &Cut_weights::concave_share, 1},
    {"relative_length", &Cut_weights::relative_length, 0.5},
@@ -63,7 +63,8 @@ constexpr std::array<Named_weight, 21> named_weights = {
    {"pocket", &Cut_weights::pocket, 2},
    {"several_loops", &Cut_weights::several_loops, 0.5},
    {"flatness", &Cut_weights::flatness, 2},
-   {"least_flatness", &Cut_weights::least_flatness, 0.1}}};
+   {"least_flatness", &Cut_weights::least_flatness, 0.1},
+   {"like_part", &Cut_weights::like_part, 0.5}}};
 
 // Short cuts in concave seams of large segments: where a fit begins that is to know nothing of the models held back.
 Cut_weights plain_weights()

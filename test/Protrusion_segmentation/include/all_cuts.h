@@ -112,7 +112,7 @@ private:
     std::vector<Cut_set> result;
     for (const Index s : set.segments)
       for (const internal::Cut& cut : cuts_of(s))
-        result.push_back(set.with(m_memo.made_cut(s, cut)));
+        result.push_back(set.with(m_memo.made_cut(s, cut, set.gain(cut, internal::Cut_weights()))));
     return result;
   }
 

@@ -159,9 +159,8 @@ private:
     for (Index node : memo()[id].segment.nodes)
       if (is_inner[node])
         cut.inner.push_back(node);
-    cut.value = segments.cut(segment)->value;
     cut.probability = segments.cut(segment)->probability;
-    set = set.with(m_beam.memo().made_cut(id, cut));
+    set = set.with(m_beam.memo().made_cut(id, cut, segments.cut(segment)->value));
   }
 
   std::vector<Index> tips_of(const Cut_set& set)

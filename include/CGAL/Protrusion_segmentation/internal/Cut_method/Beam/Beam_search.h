@@ -89,13 +89,15 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // A further cut of a set, one of a segment's cuts, and the value of the set with it.
+  // A further cut of a set, one of a segment's cuts, and what it adds to the value of the set.
   struct Choice
   {
     const Cut_set* set;
     Index segment;
     std::size_t cut;
-    double value;
+    double gain;
+
+    double value() const { return set->value + gain; }
   };
 
   // Makes the beam one of sets with one cut more, if that adds more than `least_gain` to the value of the best one.
@@ -138,8 +140,8 @@ private:
     std::vector<Cut_set> sets;
     for (std::size_t i = 0; i < choices.size() && sets.size() < m_options.number_of_sets; ++i)
     {
-      const Index segment = choices[i].segment;
-      Cut_set set = choices[i].set->with(m_memo.made_cut(segment, m_memo[segment].cuts[choices[i].cut]));
+      const auto& [before, segment, cut, gain] = choices[i];
+      Cut_set set = before->with(m_memo.made_cut(segment, m_memo[segment].cuts[cut], gain));
       if (std::none_of(sets.begin(), sets.end(), [&](const Cut_set& other) { return other.segments == set.segments; }))
         sets.push_back(std::move(set));
     }
@@ -151,8 +153,8 @@ private:
   {
     std::vector<Choice> result;
     for (Index s : set.in_order_of_cuts())
-      for (std::size_t c = 0; c < (std::min)(m_memo[s].cuts.size(), m_options.cuts_of_set); ++c)
-        result.push_back({&set, s, c, set.value + m_memo[s].cuts[c].value});
+      for (std::size_t c = 0; c < m_memo[s].cuts.size(); ++c)
+        result.push_back({&set, s, c, set.gain(m_memo[s].cuts[c], m_options.weights)});
     sort_by_value(result);
     result.resize((std::min)(result.size(), m_options.cuts_of_set));
     return result;
@@ -160,7 +162,7 @@ private:
 
   static void sort_by_value(std::vector<Choice>& choices)
   {
-    std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.value > b.value; });
+    std::stable_sort(choices.begin(), choices.end(), [](const Choice& a, const Choice& b) { return a.value() > b.value(); });
   }
 
   // The most promising segments of the beam that have not been searched yet and might change which sets of at least some
@@ -175,7 +177,7 @@ private:
     {
       const std::vector<Choice> choices = best_choices(set);
       const double least_of_set =
-        choices.size() < m_options.cuts_of_set ? least : (std::max)(least, choices.back().value);
+        choices.size() < m_options.cuts_of_set ? least : (std::max)(least, choices.back().value());
       for (Index s : set.segments)
       {
         const double promise = set.value + m_options.largest_relative_value * m_memo[s].segment.area;

@@ -28,6 +28,7 @@ struct Cut_set
     double value;
     double probability = 0;
     bool is_distinct = true;
+    Size_of_part size = {};
   };
 
   std::vector<Index> segments; // that are left, ascending
@@ -46,6 +47,15 @@ struct Cut_set
         if (std::binary_search(segments.begin(), segments.end(), side))
           result.push_back(side);
     return result;
+  }
+
+  // What a cut would add to the value: its own, with larger odds if a part like that one has been cut off before.
+  double gain(const Cut& cut, const Cut_weights& weights) const
+  {
+    double most_alike = 0;
+    for (const Made_cut& made : cuts)
+      most_alike = (std::max)(most_alike, similarity(made.size, cut.size));
+    return value_of_cut(cut.log_odds + weights.like_part * most_alike, cut.root_of_areas);
   }
 
   Cut_set with(const Made_cut& cut) const
@@ -107,10 +117,12 @@ public:
                          });
   }
 
-  Cut_set::Made_cut made_cut(Index id, const Cut& cut)
+  // `value`: what the cut adds to that of the set in which it is made
+  Cut_set::Made_cut made_cut(Index id, const Cut& cut, double value)
   {
     const Index inner = find_or_add(cut.inner);
-    return {id, inner, find_or_add(other_side(m_entries[id].segment, cut.inner)), cut.value, cut.probability, is_distinct(cut.clues)};
+    const Index outer = find_or_add(other_side(m_entries[id].segment, cut.inner));
+    return {id, inner, outer, value, cut.probability, is_distinct(cut.clues), cut.size};
   }
 
 private:

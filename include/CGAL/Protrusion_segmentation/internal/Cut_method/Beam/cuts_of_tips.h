@@ -43,7 +43,7 @@ public:
       m_execution.check();
       const Index segment = m_memo.segment_with(tips[t], result);
       if (const std::optional<Cut> cut = cut_of_tip(m_memo[segment].segment, tips[t], tips))
-        result = result.with(m_memo.made_cut(segment, *cut));
+        result = result.with(m_memo.made_cut(segment, *cut, cut->value));
     }
     return result;
   }

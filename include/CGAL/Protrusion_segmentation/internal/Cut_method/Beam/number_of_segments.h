@@ -41,7 +41,7 @@ std::size_t number_before_largest_drop(Gain gain, const Cut_options& options)
 // Whether enough of the value is that of cuts that mark a place of the surface.
 inline bool has_distinct_cuts(const Cut_set& set)
 {
-  constexpr double least_share = 0.15; // of the value: one cut in a rough tube may be distinct by chance
+  constexpr double least_share = 0.25; // of the value: some cuts in a rough tube or a terrain may be distinct by chance
   double of_distinct = 0, of_all = 0;
   for (const Cut_set::Made_cut& cut : set.cuts)
   {

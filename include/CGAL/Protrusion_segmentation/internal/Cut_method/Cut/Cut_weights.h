@@ -56,6 +56,7 @@ struct Cut_weights
   double several_loops = -1.2;
   double flatness = -12; // a hill, a scale or a pocket faces one way as a whole and is no protrusion
   double least_flatness = 0.6;
+  double like_part = 1; // of a part that is like one cut off before, such as the other leg, for either is evidence for the other
 
   // What the clues say together, as the logarithm of odds.
   double operator()(const Cut_clues& clues) const
