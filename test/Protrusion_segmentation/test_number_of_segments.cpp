@@ -71,8 +71,34 @@ void large_gains_count_and_small_ones_do_not()
   }
 }
 
+// Cuts of which the given shares of the value are distinct and not.
+Cut_set set_of_cuts(double of_distinct, double of_others)
+{
+  Cut_set set;
+  set.cuts.push_back({0, 1, 2, of_others, 0.5, false});
+  set.cuts.push_back({1, 3, 4, of_distinct, 0.5, true});
+  set.value = of_distinct + of_others;
+  return set;
+}
+
+// Some cuts of a rough tube are distinct by chance.
+void without_distinct_cuts_there_is_one_segment()
+{
+  const auto number = [](double of_distinct, double of_others)
+  {
+    const std::vector<double> gains = {of_others, of_distinct};
+    return automatic_number_of_segments(
+      [&](std::size_t n) { return n <= gains.size() ? std::optional<double>(gains[n - 1]) : std::nullopt; },
+      [&](std::size_t) { return set_of_cuts(of_distinct, of_others); }, Cut_options());
+  };
+  CGAL_CHECK_EQUAL(number(0.24, 0.76), 1u);
+  CGAL_CHECK_EQUAL(number(0.26, 0.74), 3u);
+  CGAL_CHECK_EQUAL(number(0.5, 0.5), 3u);
+}
+
 int main()
 {
+  without_distinct_cuts_there_is_one_segment();
   the_largest_drop_ends_the_cuts();
   twins_stay_together();
   values_need_not_descend();
