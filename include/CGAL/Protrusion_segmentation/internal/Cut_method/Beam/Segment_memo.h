@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -52,10 +53,10 @@ struct Cut_set
   // What a cut would add to the value: its own, with larger odds if a part like that one has been cut off before.
   double gain(const Cut& cut, const Cut_weights& weights) const
   {
-    double most_alike = 0;
+    double least = std::numeric_limits<double>::infinity();
     for (const Made_cut& made : cuts)
-      most_alike = (std::max)(most_alike, similarity(made.size, cut.size));
-    return value_of_cut(cut.log_odds + weights.like_part * most_alike, cut.root_of_areas);
+      least = (std::min)(least, squared_difference(made.size, cut.size));
+    return value_of_cut(cut.log_odds + weights.of_like_part(least), cut.root_of_areas);
   }
 
   Cut_set with(const Made_cut& cut) const

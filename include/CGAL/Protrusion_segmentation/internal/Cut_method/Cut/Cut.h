@@ -28,12 +28,10 @@ struct Size_of_part
   double area = 0, length = 0, thickness = 0; // length: that of the cut
 };
 
-// 1 for equal sizes, near 0 if one of them differs by half.
-inline double similarity(const Size_of_part& a, const Size_of_part& b)
+inline double squared_difference(const Size_of_part& a, const Size_of_part& b)
 {
-  constexpr double deviation = 0.15; // with .1 fewer pairs are seen, with .2 halves of a star's core are like its arms
   const double area = a.area - b.area, length = a.length - b.length, thickness = a.thickness - b.thickness;
-  return std::exp(-(area * area + length * length + thickness * thickness) / (2 * deviation * deviation));
+  return area * area + length * length + thickness * thickness;
 }
 
 // A cut of a segment in two connected sides.

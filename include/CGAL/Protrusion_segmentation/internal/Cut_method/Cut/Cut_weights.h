@@ -56,7 +56,8 @@ struct Cut_weights
   double several_loops = -1.2;
   double flatness = -12; // a hill, a scale or a pocket faces one way as a whole and is no protrusion
   double least_flatness = 0.6;
-  double like_part = 1; // of a part that is like one cut off before, such as the other leg, for either is evidence for the other
+  double like_part = 1; // of a part like one cut off before, such as the other leg: either is evidence for the other
+  double deviation_of_like_part = 0.15; // of logarithms of sizes; with .2 halves of a star's core are like its arms
 
   // What the clues say together, as the logarithm of odds.
   double operator()(const Cut_clues& clues) const
@@ -70,6 +71,12 @@ struct Cut_weights
            surrounded * (std::max)(0., clues.neighbors - most_neighbors) +
            mean_cost * clues.mean_cost + thickness * clues.thickness +
            pocket * clues.pocket + several_loops * clues.several_loops + flatness * (std::max)(0., clues.flatness - least_flatness);
+  }
+
+  // What a part says that differs by that much from the most similar one that has been cut off before.
+  double of_like_part(double squared_difference) const
+  {
+    return like_part * std::exp(-squared_difference / (2 * deviation_of_like_part * deviation_of_like_part));
   }
 };
 
