@@ -129,7 +129,7 @@ def test_convex_hulls(segment, octopus, tmp_path):
 
 
 def test_hull_of_a_sheet(segment, data):
-    result = segment(data / "open_sheet.off", "--close=hull", "-o", "%d.off")
+    result = segment(data / "open_sheet.off", *"-k 2 --close=hull -o %d.off".split())
     assert result.err == ""
 
 

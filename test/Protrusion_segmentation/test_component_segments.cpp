@@ -23,8 +23,7 @@ using internal::Cut_set;
 
 Component_segments segments_of(Component_of_mesh& of_mesh, std::size_t number)
 {
-  return Component_segments(of_mesh.component.graphs(), of_mesh.component.memo(),
-                            *of_mesh.component.best(number), of_mesh.options, quiet_execution());
+  return of_mesh.component.segments(*of_mesh.component.best(number));
 }
 
 // Every segment but the body sticks out of one before or after it, without circles, and out of one that it touches on the
@@ -68,8 +67,8 @@ void check_segments_of_sets(const Test_mesh& mesh, std::size_t largest_number, b
   {
     const Component_segments segments = segments_of(of_mesh, k);
     CGAL_CHECK_EQUAL(segments.number_of_segments(), k);
-    check_segments(of_mesh.component.graphs().fine, segments.labels(), k);
-    check_tree(segments, of_mesh.component.graphs().fine);
+    check_segments(of_mesh.component.graph_of_faces(), segments.labels(), k);
+    check_tree(segments, of_mesh.component.graph_of_faces());
     check_cuts(segments, *of_mesh.component.best(k));
   }
 }

@@ -49,7 +49,7 @@ void check_cuts(const internal::Component& component, const Cut_set& set, const 
     CGAL_CHECK(inner.area <= 0.5 + 1e-9);
     std::size_t count = 0;
     for (const Index tip : tips)
-      count += contains(inner.nodes, component.graphs().node_of_face[tip]);
+      count += contains(inner.nodes, component.node_at(tip));
     CGAL_CHECK_EQUAL(count, 1u);
   }
   check_segments(component.graphs().coarse, labels_of_nodes(component, set), set.segments.size());
@@ -100,14 +100,10 @@ void any_faces_may_be_tips(const Test_mesh& mesh)
 }
 
 std::vector<Index> tips_of(const internal::Component& component,
-                           const Cut_set& set,
-                           const Component_of_mesh& of_mesh)
+                           const Cut_set& set)
 {
-  const internal::Component_segments segments(component.graphs(), component.memo(), set, of_mesh.options,
-                                              quiet_execution());
   std::vector<Index> tips;
-  for (const auto& protrusion :
-       internal::Protrusion_describer(of_mesh.surface, component.graphs(), segments, false)())
+  for (const auto& protrusion : component.describe(component.segments(set)))
     tips.push_back(protrusion.tip);
   return tips;
 }
@@ -119,7 +115,7 @@ void tips_of_a_result_give_the_result(const Test_mesh& mesh, std::size_t largest
   for (std::size_t number = 1; number <= largest_number && of_mesh.component.best(number); ++number)
   {
     const Cut_set set = *of_mesh.component.best(number);
-    std::vector<Index> tips = tips_of(of_mesh.component, set, of_mesh);
+    std::vector<Index> tips = tips_of(of_mesh.component, set);
     std::reverse(tips.begin(), tips.end());
     CGAL_CHECK(of_mesh.component.cuts_of_tips(tips).segments == set.segments);
   }
@@ -131,7 +127,7 @@ void some_tips_of_the_automatic_result(const Test_mesh& mesh, bool is_star)
 {
   Component_of_mesh of_mesh(mesh);
   const Cut_set automatic = *of_mesh.component.best(of_mesh.component.automatic_number());
-  const std::vector<Index> all_tips = tips_of(of_mesh.component, automatic, of_mesh);
+  const std::vector<Index> all_tips = tips_of(of_mesh.component, automatic);
   CGAL_CHECK(all_tips.size() >= 4);
   const std::vector<Index> old_labels = labels_of_faces(of_mesh.component, automatic);
   for (unsigned int seed = 1; seed <= 20; ++seed)
@@ -164,7 +160,7 @@ void a_further_tip_adds_a_protrusion()
   const Test_mesh mesh = star(5);
   Component_of_mesh of_mesh(mesh);
   const Cut_set set = *of_mesh.component.best(4); // three arms
-  std::vector<Index> tips = tips_of(of_mesh.component, set, of_mesh);
+  std::vector<Index> tips = tips_of(of_mesh.component, set);
   const std::vector<Index> labels = labels_of_faces(of_mesh.component, set);
   for (const Index tip : tips_of_parts(mesh))
     if (std::none_of(tips.begin(), tips.end(), [&](Index t) { return labels[t] == labels[tip]; }))

@@ -41,20 +41,33 @@ public:
     : m_surface(surface),
       m_options(options),
       m_execution(execution),
-      m_graphs(surface, options, execution),
-      m_search(surface, m_graphs, distance, options, execution),
+      m_divided(Face_divider(surface)()),
+      m_graphs(searched_surface(), options, execution),
+      m_search(searched_surface(), m_graphs, distance, options, execution),
       m_beam(m_graphs.coarse, m_search, options)
-  {}
+  {
+    if (!m_divided)
+      return;
+    Dual_graph_maker{surface}(m_undivided, execution.is_parallel());
+    m_undivided.curvature.assign(m_undivided.target.size(), 0);
+  }
   Component(const Component&) = delete;
   Component& operator=(const Component&) = delete;
 
+  // of the pieces if there are long faces
   const Graphs_of_surface& graphs() const { return m_graphs; }
+  const Seam_graph& graph_of_faces() const { return m_divided ? m_undivided : m_graphs.fine; }
+  // the node of the coarse graph that a face, or its first piece, lies in
+  Index node_at(Index face) const { return m_graphs.node_of_face[m_divided ? m_divided->first_piece(face) : face]; }
   const Segment_memo& memo() const { return m_beam.memo(); }
   const Segment_search& search() const { return m_search; }
   std::size_t number_of_runs() const { return m_search.number_of_runs(); }
 
   // The best cuts into a number of segments; none if there are not as many.
-  const Cut_set* best(std::size_t number_of_segments) { return m_beam.best(number_of_segments); }
+  const Cut_set* best(std::size_t number_of_segments)
+  {
+    return number_of_segments <= m_surface.number_of_faces() ? m_beam.best(number_of_segments) : nullptr;
+  }
 
   // The best sets into fewer segments.
   std::vector<const Cut_set*> coarser_than(const Cut_set& set)
@@ -69,24 +82,26 @@ public:
   // The segments of a set on the faces. `coarser`: sets of fewer segments, which its order is to be near to
   Component_segments segments(const Cut_set& set, const std::vector<const Cut_set*>& coarser = {}) const
   {
-    return Component_segments(m_graphs, memo(), set, m_options, m_execution, coarser);
+    const Faces_of_surface faces{graph_of_faces(), m_divided ? &*m_divided : nullptr};
+    return Component_segments(faces, m_graphs, memo(), set, m_options, m_execution, coarser);
   }
   std::vector<Protrusion<Index>> describe(const Component_segments& segments) const
   {
-    return Protrusion_describer(m_surface, m_graphs, segments, m_execution.is_parallel())();
+    return Protrusion_describer(m_surface, graph_of_faces(), segments, m_execution.is_parallel())();
   }
 
   // What segment `number_of_segments` + 1 gains; nothing if there is none.
   std::optional<double> gain_of_next(std::size_t number_of_segments)
   {
-    return m_beam.best(number_of_segments + 1)
+    return best(number_of_segments + 1)
              ? std::optional<double>(m_beam.gain_of_last(number_of_segments + 1))
              : std::nullopt;
   }
 
   std::size_t automatic_number()
   {
-    return m_beam.automatic_number([this](std::size_t n) { return Next_segment(m_execution, n, std::nullopt); });
+    const std::size_t number = m_beam.automatic_number([this](std::size_t n) { return Next_segment(m_execution, n, std::nullopt); });
+    return (std::min)(number, static_cast<std::size_t>(m_surface.number_of_faces()));
   }
 
   // The cuts of protrusions of picked tips. Tips that have a cut in a known segmentation keep it, and only the others get cuts.
@@ -94,16 +109,22 @@ public:
   {
     std::vector<Index> tips = faces;
     const Cut_set kept = known_cuts(tips);
+    tips.resize((std::min)(tips.size(), static_cast<std::size_t>(m_surface.number_of_faces() - 1))); // the body has a face, too
+    if (m_divided)
+      for (Index& tip : tips)
+        tip = m_divided->first_piece(tip);
     return Tip_cuts(m_graphs, m_search, m_beam.memo(), m_execution)(*m_beam.best(1), kept, tips);
   }
 
 private:
+  const Indexed_surface& searched_surface() const { return m_divided ? m_divided->surface : m_surface; }
+
   // The cuts of a known segmentation if the tips of all its protrusions are picked, and at most a quarter more: the tips of a
   // result give that result. Else those of the automatic one. Puts the tips that have a cut first, in the order of the cuts.
   Cut_set known_cuts(std::vector<Index>& tips)
   {
     for (std::size_t number = tips.size() + 1; number > 1 && 4 * (number - 1) >= 3 * tips.size(); --number)
-      if (const Cut_set* found = m_beam.best(number))
+      if (const Cut_set* found = best(number))
       {
         const std::vector<Index> own = tips_of(*found);
         std::vector<Index> tips_first = tips;
@@ -174,7 +195,9 @@ private:
   const Indexed_surface& m_surface;
   const Cut_options& m_options;
   Execution& m_execution;
-  Graphs_of_surface m_graphs;
+  std::optional<Divided_surface> m_divided; // if there are long faces,
+  Seam_graph m_undivided;                   // and the faces themselves then, without seams
+  Graphs_of_surface m_graphs;               // of the pieces then
   Segment_search m_search;
   Beam_search m_beam;
 };

@@ -10,9 +10,11 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/divide_long_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Border_arcs.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Face_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Joining_order.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/labels_of_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
 
 #include <algorithm>
@@ -25,6 +27,13 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
+// The faces of a surface as the results see them: of one with long faces, the search knows pieces only.
+struct Faces_of_surface
+{
+  const Seam_graph& graph;
+  const Divided_surface* divided; // if there are long faces
+};
+
 // The segments of a connected surface that a set of cuts makes: the faces of each and their tree. The body is segment 0. If the last
 // segments are given to their parents, the rest is near the best set of as many segments, where `coarser` has it.
 class Component_segments
@@ -32,13 +41,15 @@ class Component_segments
 public:
   using Index = Indexed_surface::Index;
 
-  Component_segments(const Graphs_of_surface& graphs,
+  Component_segments(const Faces_of_surface& faces,
+                     const Graphs_of_surface& graphs,
                      const Segment_memo& memo,
                      const Cut_set& set,
                      const Cut_options& options,
                      Execution& execution,
                      const std::vector<const Cut_set*>& coarser = {})
-    : m_graphs(graphs),
+    : m_faces(faces.graph),
+      m_graphs(graphs),
       m_memo(memo),
       m_set(set),
       m_is_parallel(execution.is_parallel()),
@@ -49,6 +60,8 @@ public:
       label = m_leaf_of_node[label];
     if (options.moves_borders_on_faces && set.segments.size() > 1)
       move_borders(execution);
+    if (faces.divided)
+      m_labels = Face_labeler(m_faces, faces.divided->face_of_piece, graphs.fine.area, m_labels)(number_of_segments());
     arrange(coarser);
   }
 
@@ -112,8 +125,8 @@ private:
   {
     std::vector<double> areas(number_of_segments(), 0);
     for (Index f = 0; f < m_labels.size(); ++f)
-      areas[m_labels[f]] += m_graphs.fine.area[f];
-    const Segment_tree::Lengths lengths = Border_arcs(m_graphs.fine, m_labels, m_is_parallel).lengths();
+      areas[m_labels[f]] += m_faces.area[f];
+    const Segment_tree::Lengths lengths = Border_arcs(m_faces, m_labels, m_is_parallel).lengths();
     const Segment_tree tree(areas, lengths);
     const Cuts cuts = cuts_of_borders(tree, lengths);
     std::vector<Index> order(areas.size()); // by the cut, that of the body first
@@ -208,6 +221,7 @@ private:
     return side[leaf] * side[parent] < 0 ? 2 : side[leaf] != 0 ? 1 : 0;
   }
 
+  const Seam_graph& m_faces;
   const Graphs_of_surface& m_graphs;
   const Segment_memo& m_memo;
   const Cut_set& m_set;

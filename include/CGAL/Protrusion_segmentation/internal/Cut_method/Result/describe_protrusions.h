@@ -28,14 +28,14 @@ public:
   using Index = Indexed_surface::Index;
 
   Protrusion_describer(const Indexed_surface& surface,
-                       const Graphs_of_surface& graphs,
+                       const Seam_graph& faces,
                        const Component_segments& segments,
                        bool is_parallel)
     : m_segments(segments),
       m_labels(segments.labels()),
-      m_fine(graphs.fine),
+      m_faces(faces),
       m_unit(std::sqrt(surface.area())), // there is no border without area
-      m_borders(graphs.fine, segments.labels(), is_parallel)
+      m_borders(faces, segments.labels(), is_parallel)
   {}
 
   std::vector<Protrusion<Index>> operator()() const
@@ -63,8 +63,8 @@ private:
   // All at once: paths stay in the segment that they begin in.
   void find_tips(std::vector<Protrusion<Index>>& protrusions) const
   {
-    const Nodes_by_distance nodes = Graph_distances(m_fine)(
-      faces_along_borders(), [this](Index from, Index to) { return m_labels[from] == m_labels[to]; }, m_fine.lengths());
+    const Nodes_by_distance nodes = Graph_distances(m_faces)(
+      faces_along_borders(), [this](Index from, Index to) { return m_labels[from] == m_labels[to]; }, m_faces.lengths());
     for (std::size_t i = 0; i < nodes.nodes.size(); ++i) // the last one of a segment is the farthest
     {
       Protrusion<Index>& protrusion = protrusions[m_labels[nodes.nodes[i]] - 1];
@@ -107,7 +107,7 @@ private:
 
   const Component_segments& m_segments;
   const std::vector<Index>& m_labels;
-  const Seam_graph& m_fine;
+  const Seam_graph& m_faces;
   double m_unit;
   Border_arcs m_borders;
 };
