@@ -58,7 +58,7 @@ public:
   const Graphs_of_surface& graphs() const { return m_graphs; }
   const Seam_graph& graph_of_faces() const { return m_divided ? m_undivided : m_graphs.fine; }
   // the node of the coarse graph that a face, or its first piece, lies in
-  Index node_at(Index face) const { return m_graphs.node_of_face[m_divided ? m_divided->first_piece(face) : face]; }
+  Index node_at(Index face) const { return m_graphs.node_of_face[searched_face(face)]; }
   const Segment_memo& memo() const { return m_beam.memo(); }
   const Segment_search& search() const { return m_search; }
   std::size_t number_of_runs() const { return m_search.number_of_runs(); }
@@ -110,14 +110,14 @@ public:
     std::vector<Index> tips = faces;
     const Cut_set kept = known_cuts(tips);
     tips.resize((std::min)(tips.size(), static_cast<std::size_t>(m_surface.number_of_faces() - 1))); // the body has a face, too
-    if (m_divided)
-      for (Index& tip : tips)
-        tip = m_divided->first_piece(tip);
+    for (Index& tip : tips)
+      tip = searched_face(tip);
     return Tip_cuts(m_graphs, m_search, m_beam.memo(), m_execution)(*m_beam.best(1), kept, tips);
   }
 
 private:
   const Indexed_surface& searched_surface() const { return m_divided ? m_divided->surface : m_surface; }
+  Index searched_face(Index face) const { return m_divided ? m_divided->first_piece(face) : face; }
 
   // The cuts of a known segmentation if the tips of all its protrusions are picked, and at most a quarter more: the tips of a
   // result give that result. Else those of the automatic one. Puts the tips that have a cut first, in the order of the cuts.

@@ -108,14 +108,11 @@ private:
   double squared_length(Index f) const
   {
     const Corners_of_face<Indexed_surface> corners{m_surface, f};
-    const Point_3 middle = m_surface.centroid(f);
     double result = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)
-    {
       result = (std::max)(result, squared_distance(corners[i], corners[(i + 1) % corners.size()]));
-      if (corners.size() > 3)
-        result = (std::max)(result, squared_distance(corners[i], middle));
-    }
+    for (std::size_t i = 0; corners.size() > 3 && i < corners.size(); ++i)
+      result = (std::max)(result, squared_distance(corners[i], m_surface.centroid(f)));
     return result;
   }
 
