@@ -99,7 +99,7 @@ void join(const tool::Polygon_soup& soup)
 {
   constexpr std::size_t most_polygons = 200; // more only take longer
   CGAL::Bbox_3 box;
-  for (const tool::Polygon& polygon : soup.polygons)
+  for (const tool::Corners& polygon : soup.polygons)
     for (const std::size_t corner : polygon)
       box += soup.points[corner].bbox();
   const double size = (std::max)({box.x_span(), box.y_span(), box.z_span()});

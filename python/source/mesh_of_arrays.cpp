@@ -43,20 +43,20 @@ tool::Polygon read_polygon(const std::vector<std::int64_t>& corners,
   return polygon;
 }
 
-std::vector<tool::Polygon> read_polygons(const Arrays& arrays, std::size_t number_of_vertices)
+tool::Polygons read_polygons(const Arrays& arrays, std::size_t number_of_vertices)
 {
   const std::vector<std::int64_t>&corners = arrays.corners, &sizes = arrays.sizes;
   if (sizes.empty())
     throw std::invalid_argument("faces: there are none");
-  std::vector<tool::Polygon> polygons;
-  polygons.reserve(sizes.size());
+  tool::Polygons polygons;
+  polygons.reserve(sizes.size(), corners.size());
   std::size_t begin = 0;
   for (std::size_t face = 0; face < sizes.size(); ++face)
   {
     if (sizes[face] < 0 || static_cast<std::size_t>(sizes[face]) > corners.size() - begin)
       throw std::invalid_argument("faces: there are fewer corners than the faces have");
     const std::size_t end = begin + static_cast<std::size_t>(sizes[face]);
-    polygons.push_back(read_polygon(corners, begin, end, face, number_of_vertices));
+    polygons.add(read_polygon(corners, begin, end, face, number_of_vertices));
     begin = end;
   }
   return polygons;
@@ -70,7 +70,7 @@ bool has_finite_coordinates(const tool::Point& p)
 // Points that are no corners do not matter, and move to the origin if they are not finite.
 void check_points(tool::Polygon_soup& soup)
 {
-  for (const tool::Polygon& polygon : soup.polygons)
+  for (const tool::Corners& polygon : soup.polygons)
     for (const std::size_t i : polygon)
       if (!has_finite_coordinates(soup.points[i]))
         throw std::invalid_argument("vertices: vertex " + std::to_string(i) +

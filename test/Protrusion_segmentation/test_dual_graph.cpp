@@ -58,7 +58,7 @@ void the_number_of_threads_does_not_matter()
   CGAL_CHECK(found.first_arc == expected.first_arc && found.target == expected.target);
   CGAL_CHECK(found.length == expected.length && found.border_length == expected.border_length);
   CGAL_CHECK(found.curvature == expected.curvature && found.capacity == expected.capacity);
-  CGAL_CHECK(found.area == expected.area && found.concave_length == expected.concave_length);
+  CGAL_CHECK(found.area == expected.area);
   CGAL_CHECK(internal::centres_of_faces(surface, true) == internal::centres_of_faces(surface, false));
 #endif
 }

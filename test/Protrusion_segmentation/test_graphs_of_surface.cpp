@@ -93,7 +93,7 @@ void check_single_arcs(const Volume_graph& graph)
     if (back == arcs.end())
       continue;
     CGAL_CHECK_EQUAL(graph.border_length[arc], graph.border_length[back->second]);
-    CGAL_CHECK_EQUAL(graph.concave_length[arc], graph.concave_length[back->second]);
+    CGAL_CHECK_EQUAL(graph.length_in_seam(arc), graph.length_in_seam(back->second));
     CGAL_CHECK_EQUAL(graph.capacity[arc], graph.capacity[back->second]);
     CGAL_CHECK_EQUAL(graph.length[arc], graph.length[back->second]);
     CGAL_CHECK_CLOSE(graph.curvature[arc], graph.curvature[back->second],

@@ -6,11 +6,17 @@
 // side and numbering are.
 
 #include "check.h"
+#include "recorder.h"
 #include "segmentations.h"
 #include "test_meshes.h"
 
+#include <CGAL/Protrusion_segmentation/Segmentation_stopped.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
 
 #include <algorithm>
 #include <functional>
@@ -177,8 +183,61 @@ void components_alone_take_no_search()
   }
 }
 
+#ifdef CGAL_LINKED_WITH_TBB
+std::vector<std::size_t> tips_and_segments(const Recorder<Mesh>& record)
+{
+  std::vector<std::size_t> result;
+  for (const auto& protrusion : record.protrusions())
+    for (const std::size_t number : {std::size_t(protrusion.tip), std::size_t(protrusion.segment), std::size_t(protrusion.parent)})
+      result.push_back(number);
+  return result;
+}
+
+// Stops in the second component that it hears of.
+struct Stopping_recorder : Recorder<Mesh>
+{
+  bool go_further() { return stages["preparation"] < 2; }
+};
+
+// Small components are segmented side by side, after a large one: with the same segments, protrusions and stages, and the visitor
+// stops them all.
+void components_side_by_side()
+{
+  std::vector<double> scales(20, 1);
+  const Test_mesh large = translated(scaled(icosphere(5), 3), {0, 50, 0});
+  const Mesh mesh = to_graph<Mesh>(merged({figures(scales), large}));
+  Recorder<Mesh> expected;
+  const Segmentation one = checked(
+    mesh, [&](auto ids)
+    { return CGAL::segmentation_via_protrusion_tips(mesh, ids, CGAL::parameters::visitor(std::ref(expected))); });
+  CGAL_CHECK(one.number > 100);
+  for (const std::size_t threads : {1, 2, 8})
+  {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const auto segment = [&](auto& record)
+    {
+      return checked(mesh,
+                     [&](auto ids)
+                     {
+                       return CGAL::segmentation_via_protrusion_tips<CGAL::Parallel_tag>(
+                         mesh, ids, CGAL::parameters::visitor(std::ref(record)));
+                     });
+    };
+    Recorder<Mesh> record;
+    Stopping_recorder stopping;
+    CGAL_CHECK(segment(record).labels == one.labels);
+    CGAL_CHECK(tips_and_segments(record) == tips_and_segments(expected));
+    check_stages_and_progress(record);
+    CGAL_CHECK_THROWS_AS(segment(stopping), CGAL::Protrusion_segmentation::Segmentation_stopped);
+  }
+}
+#endif
+
 int main()
 {
+#ifdef CGAL_LINKED_WITH_TBB
+  components_side_by_side();
+#endif
   one_figure();
   components_alone_take_no_search();
   copies_side_by_side_are_segmented_alike();

@@ -60,7 +60,7 @@ public:
     }
   }
 
-  Surface_attributes take(const std::vector<Polygon>& polygons)
+  Surface_attributes take(const Polygons& polygons)
   {
     Surface_attributes result;
     spread(m_textures, m_has_texture, polygons, result.texture_coordinates);
@@ -114,13 +114,13 @@ private:
   template <std::size_t dimension>
   static void spread(std::vector<std::array<double, dimension>>& values,
                      const std::vector<bool>& is_known,
-                     const std::vector<Polygon>& polygons,
+                     const Polygons& polygons,
                      Corner_values<dimension>& corners)
   {
     if (std::find(is_known.begin(), is_known.end(), true) == is_known.end())
       return;
     corners.values = std::move(values);
-    corners.indices = polygons;
+    corners.indices = vectors_of(polygons);
     for (Polygon& face : corners.indices)
       for (std::size_t& index : face)
         if (!is_known[index])

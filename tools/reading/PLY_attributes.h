@@ -100,7 +100,7 @@ private:
   static void spread(Corner_values<size>& corners, const Polygon_soup& soup)
   {
     if (corners.values.size() == soup.points.size())
-      corners.indices = soup.polygons;
+      corners.indices = vectors_of(soup.polygons);
     else
       corners = {};
   }

@@ -8,6 +8,8 @@
 #include "reading/Mesh.h"
 #include "reading/Surface_attributes.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Repair/Polygons.h>
+
 #include <cstddef>
 #include <vector>
 
@@ -15,14 +17,34 @@ namespace tool
 {
 
 using Polygon = std::vector<std::size_t>; // the corners of a face, as indices of points
+using Polygons = CGAL::Protrusion_segmentation::internal::Polygons; // those of many,
+using Corners = Polygons::Corners;                                   // and of one of these
 
 // The faces of a file, all of them and in their order, whatever is wrong with them.
 struct Polygon_soup
 {
   std::vector<Point> points;
-  std::vector<Polygon> polygons;
+  Polygons polygons;
   Surface_attributes attributes = {};
 };
+
+// Those that a reader of CGAL's made.
+inline Polygons polygons_of(const std::vector<Polygon>& faces)
+{
+  Polygons result;
+  for (const Polygon& face : faces)
+    result.add(face);
+  return result;
+}
+
+// The same as a vector for each face, for what changes them.
+inline std::vector<Polygon> vectors_of(const Polygons& polygons)
+{
+  std::vector<Polygon> result;
+  for (const auto& corners : polygons)
+    result.emplace_back(corners.begin(), corners.end());
+  return result;
+}
 
 // The triangle that the last of the first `n` corners of a strip makes with the two before it; every other one is turned
 // over.

@@ -119,7 +119,7 @@ private:
     {
       NMR::MODELMESHTRIANGLE triangle;
       require(NMR::lib3mf_meshobject_gettriangle(mesh, i, &triangle));
-      m_soup.polygons.push_back(
+      m_soup.polygons.add(
         {first + triangle.m_nIndices[0], first + triangle.m_nIndices[1], first + triangle.m_nIndices[2]});
     }
   }

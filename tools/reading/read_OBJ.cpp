@@ -129,9 +129,11 @@ private:
 Polygon_soup read_OBJ(const std::string& bytes)
 {
   Polygon_soup soup;
+  std::vector<Polygon> faces;
   OBJ_normalizer normalizer(bytes);
   normalizer.text().read_by([&](std::istream& in)
-                            { return CGAL::IO::read_OBJ(in, soup.points, soup.polygons); });
+                            { return CGAL::IO::read_OBJ(in, soup.points, faces); });
+  soup.polygons = polygons_of(faces);
   soup.attributes = normalizer.take_attributes(soup.points.size());
   return soup;
 }

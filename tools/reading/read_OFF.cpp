@@ -72,7 +72,7 @@ public:
     read_counts();
     m_is_by_lines = has_a_line_for_each();
     m_soup.points.reserve(m_vertices);
-    m_soup.polygons.reserve(m_faces);
+    m_soup.polygons.reserve(m_faces, 3 * m_faces);
     for (std::size_t i = 0; i < m_vertices; ++i)
       add_vertex(i);
     for (std::size_t i = 0; i < m_faces; ++i)
@@ -164,7 +164,7 @@ private:
                                                     ", which are counted from 0");
       m_face.push_back(std::size_t(*index));
     }
-    m_soup.polygons.push_back(m_face);
+    m_soup.polygons.add(m_face);
   }
 
   void begin(const char* what, std::size_t index)

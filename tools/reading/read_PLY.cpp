@@ -152,7 +152,7 @@ private:
     m_face.clear(); // what it has room for stays
     for (std::size_t left = numbers.take_count(*property.count_type); left > 0; --left)
       m_face.push_back(numbers.take_index(property.type));
-    m_soup.polygons.push_back(m_face);
+    m_soup.polygons.add(m_face);
   }
 
   // -1 begins a new strip.
@@ -171,7 +171,7 @@ private:
         numbers.fail("a strip names vertex " + std::to_string(value));
       strip.push_back(static_cast<std::size_t>(value));
       if (strip.size() >= 3)
-        m_soup.polygons.push_back(triangle_of_strip(strip, strip.size()));
+        m_soup.polygons.add(triangle_of_strip(strip, strip.size()));
     }
   }
 

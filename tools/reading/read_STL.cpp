@@ -83,8 +83,10 @@ Polygon_soup read_binary(const std::string& bytes)
   std::istringstream in(std::string(header_size, '\0') +
                         bytes.substr(header_size, facets_begin - header_size + facets * facet_size));
   Polygon_soup soup;
-  if (!CGAL::IO::read_STL(in, soup.points, soup.polygons))
+  std::vector<Polygon> faces;
+  if (!CGAL::IO::read_STL(in, soup.points, faces))
     throw Format_error("cannot be read");
+  soup.polygons = polygons_of(faces);
   return soup;
 }
 
@@ -202,8 +204,9 @@ Polygon_soup read_STL(const std::string& bytes)
   if (is_binary_STL(bytes) || !begins_with_solid(bytes) || has_binary_number(bytes))
     return read_binary(bytes);
   Polygon_soup soup;
-  STL_normalizer(bytes).text().read_by([&](std::istream& in)
-                                       { return CGAL::IO::read_STL(in, soup.points, soup.polygons); });
+  std::vector<Polygon> faces;
+  STL_normalizer(bytes).text().read_by([&](std::istream& in) { return CGAL::IO::read_STL(in, soup.points, faces); });
+  soup.polygons = polygons_of(faces);
   return soup;
 }
 

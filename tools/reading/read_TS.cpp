@@ -122,8 +122,10 @@ private:
 Polygon_soup read_TS(const std::string& bytes)
 {
   Polygon_soup soup;
+  std::vector<Polygon> faces;
   TS_normalizer(bytes).text().read_by([&](std::istream& in)
-                                      { return CGAL::IO::read_GOCAD(in, soup.points, soup.polygons); });
+                                      { return CGAL::IO::read_GOCAD(in, soup.points, faces); });
+  soup.polygons = polygons_of(faces);
   return soup;
 }
 

@@ -202,13 +202,13 @@ Polygon_soup soup_of(vtkPolyData& data)
     const double* point = data.GetPoint(i);
     soup.points.emplace_back(point[0], point[1], point[2]);
   }
-  Cells(data.GetPolys()).for_each([&](const Polygon& corners) { soup.polygons.push_back(corners); });
+  Cells(data.GetPolys()).for_each([&](const Polygon& corners) { soup.polygons.add(corners); });
   Cells(data.GetStrips())
     .for_each(
       [&](const Polygon& corners)
       {
         for (std::size_t n = 3; n <= corners.size(); ++n)
-          soup.polygons.push_back(triangle_of_strip(corners, n));
+          soup.polygons.add(triangle_of_strip(corners, n));
       });
   return soup;
 }

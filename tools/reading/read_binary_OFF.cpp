@@ -43,7 +43,7 @@ public:
     for (std::size_t i = 0; i < vertices && m_is_good; ++i)
       soup.points.push_back(take_point());
     for (std::size_t i = 0; i < faces && m_is_good; ++i)
-      soup.polygons.push_back(take_face(vertices));
+      soup.polygons.add(take_face(vertices));
     return m_is_good && m_bytes.empty() ? std::optional<Polygon_soup>(soup) : std::nullopt;
   }
 

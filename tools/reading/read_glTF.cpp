@@ -169,7 +169,7 @@ private:
   void add_triangles(const Polygon& corners, int mode, bool is_mirrored)
   {
     const auto add = [&](const Polygon& t) {
-      m_soup.polygons.push_back(is_mirrored ? Polygon{t[0], t[2], t[1]} : t);
+      m_soup.polygons.add(is_mirrored ? Polygon{t[0], t[2], t[1]} : t);
     };
     if (mode == TINYGLTF_MODE_TRIANGLES)
       for (std::size_t i = 2; i < corners.size(); i += 3)

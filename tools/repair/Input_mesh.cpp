@@ -39,10 +39,10 @@ using Vertex = Mesh::Vertex_index;
 
 // Adds faces to a mesh that has their vertices, `vertices[i]` for corner i. Returns whether all fit and every vertex has
 // one fan of faces around it: a further fan would make a second gap at its vertex, or could not be added.
-bool add_faces(const std::vector<Polygon>& faces, const std::vector<Vertex>& vertices, Mesh& mesh)
+bool add_faces(const Polygons& faces, const std::vector<Vertex>& vertices, Mesh& mesh)
 {
   std::vector<Vertex> corners;
-  for (const Polygon& face : faces)
+  for (const Corners& face : faces)
   {
     corners.clear();
     for (const std::size_t corner : face)
@@ -90,7 +90,7 @@ void add_used_points(Input_mesh& input, std::vector<Vertex>& vertices)
 {
   const std::vector<Point>& points = input.soup.points;
   std::vector<bool> is_used(points.size(), false);
-  for (const Polygon& polygon : input.soup.polygons)
+  for (const Corners& polygon : input.soup.polygons)
     for (const std::size_t corner : polygon)
       is_used[corner] = true;
   vertices.resize(points.size());
@@ -155,7 +155,7 @@ bool build_sound_mesh(Input_mesh& input, std::optional<double> tolerance)
     return false;
   }
   input.label_giver.resize(input.soup.polygons.size());
-  std::iota(input.label_giver.begin(), input.label_giver.end(), std::size_t(0));
+  std::iota(input.label_giver.begin(), input.label_giver.end(), std::uint32_t(0));
   input.face_in_file = input.label_giver;
   input.repairs.components = number_of_components(input.mesh);
   return true;
@@ -247,7 +247,7 @@ Input_mesh make_input_mesh(Polygon_soup soup, std::optional<double> tolerance)
   {
     auto result = make_mesh(input.soup, input.mesh, tolerance);
     input.label_giver.assign(result.face_of_polygon.begin(), result.face_of_polygon.end());
-    input.face_in_file = std::move(result.polygon_of_face);
+    input.face_in_file.assign(result.polygon_of_face.begin(), result.polygon_of_face.end());
     input.point_of_vertex = std::move(result.point_of_vertex);
     input.repairs = result.repairs;
   }

@@ -11,6 +11,7 @@
 #include <CGAL/Protrusion_segmentation/Polygon_soup_repairs.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -27,8 +28,8 @@ struct Input_mesh
 {
   Polygon_soup soup;
   Mesh mesh;
-  std::vector<std::size_t> label_giver;  // of each face of the file: the face of the mesh that has its label
-  std::vector<std::size_t> face_in_file; // of each face of the mesh
+  std::vector<std::uint32_t> label_giver;  // of each face of the file: the face of the mesh that has its label
+  std::vector<std::uint32_t> face_in_file; // of each face of the mesh
   std::vector<std::size_t> point_of_vertex; // of each vertex of the mesh: its point in the soup
   Repairs repairs;
   std::size_t inside_out_components = 0; // whose faces are turned over in the mesh
@@ -51,7 +52,7 @@ Input_mesh join_pieces(Polygon_soup soup, std::optional<double> gap);
 // The labels of the faces of the file from those of the faces of the mesh.
 std::vector<std::size_t> labels_of_file(const std::vector<std::size_t>& labels_of_mesh, const Input_mesh& input);
 
-// Of every face of the mesh: the piece that it is nearest to if loose pieces are joined, else 0.
+// Of every face of the mesh: the piece that it is nearest to if loose pieces are joined, else none.
 std::vector<std::size_t> patches_of_mesh(const Input_mesh& input);
 
 // In one line; empty if there was nothing to do.

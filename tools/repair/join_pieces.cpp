@@ -9,6 +9,7 @@
 #include <CGAL/Protrusion_segmentation/join_pieces.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace tool {
@@ -20,7 +21,7 @@ std::vector<std::size_t> nearest_corners(const Input_mesh& input)
   std::vector<std::size_t> result;
   for (const auto v : input.mesh.vertices())
   {
-    const Polygon& polygon =
+    const Corners polygon =
       input.soup.polygons[input.face_in_file[input.mesh.face(input.mesh.halfedge(v))]];
     const auto distance = [&](std::size_t point)
     { return CGAL::squared_distance(input.soup.points[point], input.mesh.point(v)); };
@@ -36,7 +37,7 @@ std::vector<std::size_t> nearest_corners(const Input_mesh& input)
 Input_mesh join_pieces(Polygon_soup soup, std::optional<double> gap)
 {
   const bool has_area = std::any_of(soup.polygons.begin(), soup.polygons.end(),
-                                    [&](const Polygon& polygon)
+                                    [&](const Corners& polygon)
                                     {
                                       for (std::size_t i = 2; i < polygon.size(); ++i)
                                         if (!CGAL::collinear(soup.points[polygon[0]],
@@ -52,7 +53,7 @@ Input_mesh join_pieces(Polygon_soup soup, std::optional<double> gap)
   auto joined = CGAL::Protrusion_segmentation::join_pieces(input.soup.points, input.soup.polygons,
                                                            input.mesh, gap);
   input.label_giver.assign(joined.face_of_polygon.begin(), joined.face_of_polygon.end());
-  input.face_in_file = std::move(joined.polygon_of_face);
+  input.face_in_file.assign(joined.polygon_of_face.begin(), joined.polygon_of_face.end());
   input.point_of_vertex = nearest_corners(input);
   input.repairs.components = joined.repairs.components;
   input.pieces = std::move(joined.piece_of_polygon);
@@ -62,9 +63,9 @@ Input_mesh join_pieces(Polygon_soup soup, std::optional<double> gap)
 
 std::vector<std::size_t> patches_of_mesh(const Input_mesh& input)
 {
-  std::vector<std::size_t> patches(input.mesh.number_of_faces(), 0);
+  std::vector<std::size_t> patches;
   if (input.has_joined_pieces())
-    std::transform(input.face_in_file.begin(), input.face_in_file.end(), patches.begin(),
+    std::transform(input.face_in_file.begin(), input.face_in_file.end(), std::back_inserter(patches),
                    [&](std::size_t face) { return input.pieces[face]; });
   return patches;
 }
@@ -74,7 +75,8 @@ std::vector<std::size_t> labels_of_file(const std::vector<std::size_t>& labels_o
 {
   if (input.has_joined_pieces())
     return CGAL::Protrusion_segmentation::internal::labels_of_pieces(
-      labels_of_mesh, input.label_giver, input.face_in_file, input.pieces, input.areas);
+      labels_of_mesh, {input.label_giver.begin(), input.label_giver.end()},
+      {input.face_in_file.begin(), input.face_in_file.end()}, input.pieces, input.areas);
   std::vector<std::size_t> result;
   result.reserve(input.label_giver.size());
   for (const std::size_t face : input.label_giver)

@@ -88,7 +88,7 @@ Json describe_mesh(const Findings& findings)
                         face_of_triangle.push_back(index(face));
                       });
   const bool are_faces_triangles = std::all_of(soup.polygons.begin(), soup.polygons.end(),
-                                               [](const Polygon& p) { return p.size() == 3; });
+                                               [](const Corners& p) { return p.size() == 3; });
   const std::size_t index_bytes = bytes_for(soup.points.size());
   const std::size_t segment_bytes = bytes_for(findings.segmentation.number_of_segments);
   const Ball ball = bounding_ball(soup.points);

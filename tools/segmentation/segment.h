@@ -34,7 +34,7 @@ bool can_use_threads();
 // Throws std::invalid_argument if an option has a value that makes no sense.
 void check_options(const Segmentation_options& options);
 
-// Tips among the options are faces of the mesh here; `patches` are those of the faces, as for `face_patch_map`.
+// Tips among the options are faces of the mesh here; `patches` are those of the faces, as for `face_patch_map`, or none.
 Segmentation
 segment(const Mesh& mesh,
         const std::vector<std::size_t>& patches,

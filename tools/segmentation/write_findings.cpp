@@ -40,9 +40,7 @@ Segmented_soup soup_of(const Findings& findings, const Polygon_soup& file)
     result.soup.points.push_back(smoothed.mesh.point(v));
   for (const Face face : faces(smoothed.mesh))
   {
-    result.soup.polygons.emplace_back();
-    for (const auto v : vertices_around_face(smoothed.mesh.halfedge(face), smoothed.mesh))
-      result.soup.polygons.back().push_back(std::size_t(v));
+    result.soup.polygons.add(vertices_around_face(smoothed.mesh.halfedge(face), smoothed.mesh));
     result.old_faces.push_back(findings.mesh.face_in_file[smoothed.old_faces[face]]);
   }
   result.segments = smoothed.segment_ids;

@@ -38,12 +38,13 @@ Segmented_soup part_of(const Segmented_soup& whole, const std::vector<std::size_
   part.names = whole.names;
   std::map<std::size_t, std::size_t> indices;
   std::vector<std::size_t> points;
+  Polygon corners;
   for (const std::size_t face : faces)
   {
     part.segments.push_back(whole.segments[face]);
     if (!whole.old_faces.empty())
       part.old_faces.push_back(whole.old_faces[face]);
-    part.soup.polygons.emplace_back();
+    corners.clear();
     for (const std::size_t corner : whole.soup.polygons[face])
     {
       const auto [position, is_new] = indices.emplace(corner, part.soup.points.size());
@@ -52,8 +53,9 @@ Segmented_soup part_of(const Segmented_soup& whole, const std::vector<std::size_
         part.soup.points.push_back(whole.soup.points[corner]);
         points.push_back(corner);
       }
-      part.soup.polygons.back().push_back(position->second);
+      corners.push_back(position->second);
     }
+    part.soup.polygons.add(corners);
   }
   part.soup.attributes = attributes_of_part(whole.soup.attributes, faces, points);
   return part;
@@ -79,7 +81,7 @@ Segmented_soup triangulated(const Segmented_soup& segmented)
     for_each_triangle(segmented.soup.polygons[face],
                       [&](auto a, auto b, auto c)
                       {
-                        result.soup.polygons.push_back({a, b, c});
+                        result.soup.polygons.add({a, b, c});
                         result.segments.push_back(segmented.segments[face]);
                         result.old_faces.push_back(
                           segmented.old_faces.empty() ? face : segmented.old_faces[face]);

@@ -41,7 +41,7 @@ Corner_values<dimension> values_of_part(const Corner_values<dimension>& whole,
 
 template <std::size_t dimension>
 Corner_values<dimension> values_of_triangles(const Corner_values<dimension>& whole,
-                                             const std::vector<Polygon>& polygons)
+                                             const Polygons& polygons)
 {
   Corner_values<dimension> result;
   if (whole.is_empty())
@@ -50,10 +50,10 @@ Corner_values<dimension> values_of_triangles(const Corner_values<dimension>& who
   for (std::size_t face = 0; face < polygons.size(); ++face)
   {
     const bool is_known = !whole.indices[face].empty();
-    for_each_triangle(is_known ? whole.indices[face] : polygons[face],
-                      [&](auto a, auto b, auto c) {
-                        result.indices.push_back(is_known ? Polygon{a, b, c} : Polygon());
-                      });
+    if (is_known)
+      for_each_triangle(whole.indices[face], [&](auto a, auto b, auto c) { result.indices.push_back({a, b, c}); });
+    else
+      for_each_triangle(polygons[face], [&](auto, auto, auto) { result.indices.emplace_back(); });
   }
   return result;
 }
@@ -61,7 +61,7 @@ Corner_values<dimension> values_of_triangles(const Corner_values<dimension>& who
 // How much of each corner of the polygon is in a point of it: the shares in the triangle of its fan that has the point, or that is
 // the nearest.
 std::vector<double> shares_of_corners(const std::vector<Point>& points,
-                                      const Polygon& polygon,
+                                      const Corners& polygon,
                                       const Point& point)
 {
   std::vector<double> best(polygon.size(), 1. / double(polygon.size()));
@@ -124,7 +124,7 @@ public:
     for (std::size_t piece = 0; piece < m_old_faces.size() && !old.empty(); ++piece)
       for (const std::size_t corner : m_pieces.polygons[piece])
       {
-        const Polygon& polygon = m_whole.polygons[m_old_faces[piece]];
+        const Corners polygon = m_whole.polygons[m_old_faces[piece]];
         const std::vector<double> shares = shares_of_corners(m_whole.points, polygon,
                                                              m_pieces.points[corner]);
         for (std::size_t part = 0; part < 4; ++part)
@@ -146,7 +146,7 @@ private:
                     const Point& point,
                     std::vector<std::array<double, dimension>>& values) const
   {
-    const Polygon& polygon = m_whole.polygons[face];
+    const Corners polygon = m_whole.polygons[face];
     for (std::size_t i = 0; i < polygon.size(); ++i)
       if (m_whole.points[polygon[i]] == point)
         return of_corners[i];

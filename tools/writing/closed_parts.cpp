@@ -29,7 +29,7 @@ std::vector<Polygon_soup> soups_of(Closed_segments closed)
 {
   std::vector<Polygon_soup> parts;
   for (segmentation::Closed_segment<Point>& part : closed)
-    parts.push_back({std::move(part.points), std::move(part.polygons)});
+    parts.push_back({std::move(part.points), polygons_of(part.polygons)});
   return parts;
 }
 

@@ -38,7 +38,7 @@ std::vector<Vector> area_vectors(const Polygon_soup& soup)
                   (p.z() - ball.center[2]) / ball.radius);
   };
   std::vector<Vector> result;
-  for (const Polygon& polygon : soup.polygons)
+  for (const Corners& polygon : soup.polygons)
   {
     Vector sum = CGAL::NULL_VECTOR;
     for (std::size_t i = 2; i < polygon.size(); ++i)

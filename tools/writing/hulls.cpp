@@ -33,11 +33,7 @@ Polygon_soup hull_of(const std::set<Point>& points, int exponent)
     soup.points.push_back(internal::scaled_by_power_of_two(Point(p.x(), p.y(), p.z()), exponent));
   }
   for (const auto f : hull.faces())
-  {
-    soup.polygons.emplace_back();
-    for (const auto v : vertices_around_face(hull.halfedge(f), hull))
-      soup.polygons.back().push_back(std::size_t(v));
-  }
+    soup.polygons.add(vertices_around_face(hull.halfedge(f), hull));
   return soup;
 }
 

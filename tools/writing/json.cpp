@@ -93,7 +93,7 @@ Json describe_stages(const Findings& findings)
 }
 
 // Huge and tiny ones, too: the square is no number there.
-double area(const Polygon_soup& soup, const Polygon& polygon)
+double area(const Polygon_soup& soup, const Corners& polygon)
 {
   namespace internal = CGAL::Protrusion_segmentation::internal;
 

@@ -36,7 +36,7 @@ std::vector<std::size_t> segments_of_points(const Segmented_soup& segmented)
   return result;
 }
 
-bool has_many_corners(const Polygon& polygon)
+bool has_many_corners(const Corners& polygon)
 {
   return polygon.size() > most_corners_in_a_byte;
 }
@@ -117,7 +117,7 @@ void write_faces(std::ostream& out,
 {
   for (std::size_t i = 0; i < segmented.soup.polygons.size(); ++i)
   {
-    const Polygon& polygon = segmented.soup.polygons[i];
+    const Corners polygon = segmented.soup.polygons[i];
     if (is_wide)
       write_bits(out, static_cast<std::uint32_t>(polygon.size()));
     else
@@ -138,7 +138,7 @@ void write_faces(std::ostream& out,
 void write_PLY(std::ostream& out, const Output& output)
 {
   const Segmented_soup& segmented = output.surface;
-  const std::vector<Polygon>& polygons = segmented.soup.polygons;
+  const Polygons& polygons = segmented.soup.polygons;
   const bool is_wide = std::any_of(polygons.begin(), polygons.end(), has_many_corners);
   const std::size_t all = (std::max)(end_of_segments(segmented),
                                      std::size_t(1)); // 0 for points of no face

@@ -40,11 +40,11 @@ void write_STL(std::ostream& out, const Output& output)
   header.resize(size_of_header, ' ');
   const Polygon_soup& soup = output.surface.soup;
   std::size_t number_of_triangles = 0;
-  for (const Polygon& polygon : soup.polygons)
+  for (const Corners& polygon : soup.polygons)
     for_each_triangle(polygon, [&](auto, auto, auto) { ++number_of_triangles; });
   out << header;
   write_bits(out, static_cast<std::uint32_t>(number_of_triangles));
-  for (const Polygon& polygon : soup.polygons)
+  for (const Corners& polygon : soup.polygons)
     for_each_triangle(
       polygon,
       [&](auto a, auto b, auto c)

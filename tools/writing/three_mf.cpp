@@ -90,7 +90,7 @@ void write_vertices(std::ostream& out, const Polygon_soup& soup)
 
 // The format has no triangles of less than three vertices.
 template <typename Add>
-void for_each_proper_triangle(const Polygon& polygon, const Add& add)
+void for_each_proper_triangle(const Corners& polygon, const Add& add)
 {
   for_each_triangle(polygon,
                     [&](auto a, auto b, auto c)

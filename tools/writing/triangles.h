@@ -14,8 +14,8 @@ namespace tool
 
 // A fan of triangles around the first corner of the face, for formats that know triangles only. It
 // is made for any face, those without area included.
-template <typename Add>
-void for_each_triangle(const Polygon& polygon, const Add& add)
+template <typename Corners, typename Add>
+void for_each_triangle(const Corners& polygon, const Add& add)
 {
   for (std::size_t i = 2; i < polygon.size(); ++i)
     add(polygon[0], polygon[i - 1], polygon[i]);

@@ -83,10 +83,10 @@ void write_geometry(std::ostream& out, const Polygon_soup& soup)
   out << "        uniform token subdivisionScheme = \"none\"\n        point3f[] points = ";
   write_list(out, soup.points, [&](const Point& p) { write_triple(out, p.x(), p.y(), p.z()); });
   out << "\n        int[] faceVertexCounts = ";
-  write_list(out, soup.polygons, [&](const Polygon& polygon) { out << polygon.size(); });
+  write_list(out, soup.polygons, [&](const Corners& polygon) { out << polygon.size(); });
   out << "\n        int[] faceVertexIndices = ";
   const char* separator = "[";
-  for (const Polygon& polygon : soup.polygons)
+  for (const Corners& polygon : soup.polygons)
     for (const std::size_t corner : polygon)
     {
       out << separator << corner;

@@ -64,7 +64,7 @@ void write_polygons(std::ostream& out, const Polygon_soup& soup)
   write_data_array(out, "type=\"Int64\" Name=\"connectivity\"",
                    [&]()
                    {
-                     for (const Polygon& polygon : soup.polygons)
+                     for (const Corners& polygon : soup.polygons)
                      {
                        for (const std::size_t corner : polygon)
                          out << corner << " ";
@@ -75,7 +75,7 @@ void write_polygons(std::ostream& out, const Polygon_soup& soup)
                    [&]()
                    {
                      std::size_t end = 0;
-                     for (const Polygon& polygon : soup.polygons)
+                     for (const Corners& polygon : soup.polygons)
                        out << (end += polygon.size()) << "\n";
                    });
   out << "</Polys>\n";

@@ -30,7 +30,7 @@ inline void check_symmetry(const Seam_graph& graph)
       sum[2] += graph.border_length[arc];
       CGAL_CHECK(graph.capacity[arc] <= graph.border_length[arc] * (1 + 1e-6));
       CGAL_CHECK(graph.seam_length(arc) >= graph.length[arc]);
-      CGAL_CHECK(graph.concave_length[arc] <= graph.border_length[arc] * (1 + 1e-6));
+      CGAL_CHECK(graph.length_in_seam(arc) <= graph.border_length[arc] * (1 + 1e-6));
     }
   for (const auto& [arc, sum] : weights)
   {

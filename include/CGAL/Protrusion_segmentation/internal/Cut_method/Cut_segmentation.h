@@ -15,6 +15,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/describe_protrusions.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/Next_segment.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_side_by_side.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
@@ -24,6 +25,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <queue>
 #include <tuple>
@@ -50,6 +52,7 @@ public:
       m_distance(distance),
       m_execution(execution),
       m_options(options),
+      m_looks_at_protrusions(execution.observer().looks_at_protrusions()),
       m_components(surface),
       m_labels(surface.number_of_faces())
   {
@@ -69,13 +72,13 @@ public:
     for (std::size_t c = 0; c < n; ++c)
     {
       const Execution::Subtask subtask(m_execution, share(c, n) / 2, share(c + 1, n) / 2);
-      loaded[c].load(*this, c);
+      loaded[c].load(*this, c, m_execution);
     }
     const Execution::Subtask subtask(m_execution, 0.5, 1);
     const std::vector<std::size_t> numbers = numbers_of_segments(loaded, k);
     for (std::size_t c = 0; c < n; ++c)
     {
-      finish(c, loaded[c], *loaded[c].component->best(numbers[c]));
+      append(c, find_segments(c, loaded[c], *loaded[c].component->best(numbers[c]), m_execution));
       loaded[c] = Loaded(); // its memory is needed no more
     }
     return result();
@@ -83,8 +86,8 @@ public:
 
   Nested_segments with_automatic_number()
   {
-    return one_by_one([](Loaded& loaded, std::size_t)
-                      { return *loaded.component->best(loaded.component->automatic_number()); });
+    return each_by_itself([](Loaded& loaded, std::size_t)
+                          { return *loaded.component->best(loaded.component->automatic_number()); });
   }
 
   Nested_segments from_tips(const std::vector<Index>& given_tips)
@@ -96,8 +99,8 @@ public:
       const auto position = std::lower_bound(faces.begin(), faces.end(), tip) - faces.begin();
       tips[m_components.labels()[tip]].push_back(static_cast<Index>(position));
     }
-    return one_by_one([&](Loaded& loaded, std::size_t c)
-                      { return loaded.component->cuts_of_tips(loaded.own ? loaded.own->faces_at(tips[c]) : tips[c]); });
+    return each_by_itself([&](Loaded& loaded, std::size_t c)
+                          { return loaded.component->cuts_of_tips(loaded.own ? loaded.own->faces_at(tips[c]) : tips[c]); });
   }
 
 private:
@@ -111,33 +114,73 @@ private:
     std::unique_ptr<Canonical_surface> own;
     std::unique_ptr<Component> component;
 
-    void load(Cut_segmentation& all, std::size_t c)
+    void load(Cut_segmentation& all, std::size_t c, Execution& execution)
     {
       if (all.m_select)
-        own = std::make_unique<Canonical_surface>((*all.m_select)(all.m_components.faces(c)), all.m_execution.is_parallel());
+        own = std::make_unique<Canonical_surface>(all.select(c), execution.is_parallel());
       component =
-        std::make_unique<Component>(own ? own->surface() : all.m_surface, all.m_distance, all.m_options, all.m_execution);
+        std::make_unique<Component>(own ? own->surface() : all.m_surface, all.m_distance, all.m_options, execution);
     }
   };
 
-  // Each component is finished before the next one, so that memory is that of the largest one. `cuts(loaded, c)`: of a
-  // component
+  // What is kept of a component. Its segments have numbers of their own, faces are those of the whole surface.
+  struct Found
+  {
+    std::vector<Index> parents;
+    std::vector<Protrusion<Index>> protrusions;
+    std::size_t number_of_runs = 0;
+  };
+
+  Surface_arrays select(std::size_t c)
+  {
+    const std::lock_guard<std::mutex> lock(m_selecting);
+    return (*m_select)(m_components.faces(c));
+  }
+
+  // Each component is finished before the next one, so that memory is that of the largest one: large ones first, which several
+  // threads share, then small ones, each of which has a thread. `cuts(loaded, c)`: of a component
   template <typename Cuts>
-  Nested_segments one_by_one(Cuts cuts)
+  Nested_segments each_by_itself(Cuts cuts)
   {
     const std::size_t n = m_components.number_of_components();
+    std::vector<Found> found(n);
+    std::vector<std::size_t> small;
+    std::size_t done = 0;
     for (std::size_t c = 0; c < n; ++c)
-    {
-      const Execution::Subtask subtask(m_execution, share(c, n), share(c + 1, n));
-      Loaded loaded;
+      if (is_small(c))
+        small.push_back(c);
+      else
       {
-        const Execution::Subtask preparation(m_execution, 0, 0.5);
-        loaded.load(*this, c);
+        const Execution::Subtask subtask(m_execution, share(done, n), share(done + 1, n));
+        found[c] = find_segments(c, cuts, m_execution);
+        ++done;
       }
-      const Execution::Subtask search(m_execution, 0.5, 1);
-      finish(c, loaded, cuts(loaded, c));
-    }
+    const Execution::Subtask subtask(m_execution, share(done, n), 1);
+    for_each_side_by_side(small.size(), m_execution, [&](std::size_t i, Execution& execution)
+                          { found[small[i]] = find_segments(small[i], cuts, execution); });
+    for (std::size_t c = 0; c < n; ++c)
+      append(c, std::move(found[c]));
     return result();
+  }
+
+  // Whether other components keep the other threads busy meanwhile. Distances of the user's are used by one thread at a time.
+  bool is_small(std::size_t c) const
+  {
+    constexpr std::size_t least_number_beside = 16; // as many threads at least have work
+    return m_execution.is_parallel() && !m_distance &&
+           least_number_beside * m_components.faces(c).size() <= m_labels.size();
+  }
+
+  template <typename Cuts>
+  Found find_segments(std::size_t c, Cuts cuts, Execution& execution)
+  {
+    Loaded loaded;
+    {
+      const Execution::Subtask preparation(execution, 0, 0.5);
+      loaded.load(*this, c, execution);
+    }
+    const Execution::Subtask search(execution, 0.5, 1);
+    return find_segments(c, loaded, cuts(loaded, c), execution);
   }
 
   // Of each component, `k` in all if there are as many: first those that are found without a number, then others, each time
@@ -170,20 +213,35 @@ private:
     return numbers;
   }
 
-  // Takes the segments of a component: its protrusions come behind those of the components before.
-  void finish(std::size_t c, const Loaded& loaded, const Cut_set& set)
+  // Labels the faces of a component.
+  Found find_segments(std::size_t c, const Loaded& loaded, const Cut_set& set, Execution& execution)
   {
-    const Stage_scope stage(m_execution.observer(), Stage::LABELS);
+    const Stage_scope stage(execution.observer(), Stage::LABELS);
     const Component_segments segments = loaded.component->segments(set, loaded.component->coarser_than(set));
+    for (std::size_t f = 0; f < segments.labels().size(); ++f)
+      m_labels[face_of_surface(c, loaded, f)] = segments.labels()[f];
+    Found found = {segments.parents(), {}, loaded.component->number_of_runs()};
+    if (m_looks_at_protrusions && segments.number_of_segments() > 1)
+      found.protrusions = protrusions(c, loaded, segments);
+    return found;
+  }
+
+  // Takes what was found in a component: its protrusions come behind those of the components before.
+  void append(std::size_t c, Found found)
+  {
     const Index first = static_cast<Index>(m_parents.size()) - 1; // plus the number of a protrusion
     const auto id = [first, c](std::size_t s) { return static_cast<Index>(s == 0 ? c : first + s); };
-    for (std::size_t f = 0; f < segments.labels().size(); ++f)
-      m_labels[face_of_surface(c, loaded, f)] = id(segments.labels()[f]);
-    for (std::size_t s = 1; s < segments.number_of_segments(); ++s)
-      m_parents.push_back(id(segments.parents()[s]));
-    m_numbers_of_runs.push_back(loaded.component->number_of_runs());
-    if (m_execution.observer().looks_at_protrusions() && segments.number_of_segments() > 1)
-      add_protrusions(c, loaded, segments, id);
+    for (Index f : m_components.faces(c))
+      m_labels[f] = id(m_labels[f]);
+    for (std::size_t s = 1; s < found.parents.size(); ++s)
+      m_parents.push_back(id(found.parents[s]));
+    for (Protrusion<Index>& protrusion : found.protrusions)
+    {
+      protrusion.segment = id(protrusion.segment);
+      protrusion.parent = id(protrusion.parent);
+      m_protrusions.push_back(std::move(protrusion));
+    }
+    m_numbers_of_runs.push_back(found.number_of_runs);
   }
 
   // The face of the whole surface for a face of a component.
@@ -192,21 +250,19 @@ private:
     return m_components.faces(c)[loaded.own ? loaded.own->positions()[face] : face];
   }
 
-  // Those of a component, in terms of the whole surface; `id(s)` is the number that a segment of the component has there.
-  template <typename Id>
-  void add_protrusions(std::size_t c, const Loaded& loaded, const Component_segments& segments, Id id)
+  // Those of a component, on the whole surface.
+  std::vector<Protrusion<Index>> protrusions(std::size_t c, const Loaded& loaded, const Component_segments& segments) const
   {
     const double unit = loaded.own ? loaded.own->unit() : 1;
-    for (Protrusion<Index>& protrusion : loaded.component->describe(segments))
+    std::vector<Protrusion<Index>> result = loaded.component->describe(segments);
+    for (Protrusion<Index>& protrusion : result)
     {
       protrusion.tip = face_of_surface(c, loaded, protrusion.tip);
       protrusion.border_distance *= unit;
       protrusion.border_length *= unit;
       protrusion.area *= unit * unit;
-      protrusion.segment = id(protrusion.segment);
-      protrusion.parent = id(protrusion.parent);
-      m_protrusions.push_back(std::move(protrusion));
     }
+    return result;
   }
 
   // Puts the components together again: bodies first, then the protrusions of one component after the other.
@@ -226,9 +282,11 @@ private:
   const std::optional<Any_distance>& m_distance;
   Execution& m_execution;
   Cut_options m_options;
+  bool m_looks_at_protrusions;
   Nested_segments m_components;
-  std::optional<Face_selector<Indexed_surface>> m_select; // if there are several components
-  std::vector<Index> m_labels;  // of every face
+  std::optional<Face_selector<Indexed_surface>> m_select; // if there are several components;
+  std::mutex m_selecting;                                 // it has work arrays
+  std::vector<Index> m_labels;  // of every face, as numbered in its component until that is appended
   std::vector<Index> m_parents; // of every segment
   std::vector<Protrusion<Index>> m_protrusions;
   std::vector<std::size_t> m_numbers_of_runs; // of every component

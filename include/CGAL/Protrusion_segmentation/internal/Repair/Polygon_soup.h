@@ -5,12 +5,11 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_POLYGON_SOUP_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_REPAIR_POLYGON_SOUP_H
 
+#include <CGAL/Protrusion_segmentation/internal/Repair/Polygons.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <CGAL/Simple_cartesian.h>
-
-#include <boost/range/iterator_range.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,35 +17,6 @@
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
-
-// Polygons of any number of corners in a row; the corners of all of them are numbered in a row, too.
-class Polygons
-{
-public:
-  using Corners = boost::iterator_range<std::vector<std::size_t>::const_iterator>;
-
-  std::size_t size() const { return m_first.size() - 1; }
-  const std::vector<std::size_t>& corners() const { return m_corners; } // of all
-  std::size_t number_of_corners() const { return m_corners.size(); }
-  std::size_t first_corner(std::size_t polygon) const { return m_first[polygon]; }
-  std::size_t corner(std::size_t number) const { return m_corners[number]; }
-  Corners operator[](std::size_t polygon) const
-  {
-    const auto begin = m_corners.begin();
-    return {begin + std::ptrdiff_t(m_first[polygon]), begin + std::ptrdiff_t(m_first[polygon + 1])};
-  }
-
-  template <typename Range>
-  void add(const Range& corners)
-  {
-    m_corners.insert(m_corners.end(), corners.begin(), corners.end());
-    m_first.push_back(m_corners.size());
-  }
-
-private:
-  std::vector<std::size_t> m_first = {0}; // of every polygon, and the end
-  std::vector<std::size_t> m_corners;
-};
 
 // Polygons whose corners are indices of points, whatever is wrong with them.
 struct Polygon_soup

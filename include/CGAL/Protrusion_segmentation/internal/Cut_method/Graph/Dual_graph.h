@@ -73,11 +73,24 @@ inline Simple_cartesian<float>::Point_3 centre(const Indexed_surface::Point_3& p
 // A dual graph with its seams: what minimum cuts need.
 struct Seam_graph : Dual_graph
 {
+  static constexpr double seam_curvature = 2; // from which on an edge lies in a seam: a radius of 1/2
+
   std::vector<float> curvature;      // of every arc, the mean along the border, positive where concave
-  std::vector<float> concave_length; // of every arc, the length of the border's edges that lie in a concave seam
-  std::vector<float> folded_length;  // of every arc, that of the edges where the surface itself makes the seam, not its roof
+  std::vector<float> concave_length; // see `length_in_seam()`
+  std::vector<float> folded_length;  // see `length_in_fold()`
   std::vector<float> capacity;       // of every arc, the border length, cheap on seams: the cost of a cut
   double outward = 1;                // the side that the faces' normals point to: 1 out of the body, -1 into it
+
+  // Of an arc, the length of the border's edges that lie in a concave seam. Between two faces an edge does or does not, and
+  // nothing is kept.
+  float length_in_seam(Index arc) const
+  {
+    if (!concave_length.empty())
+      return concave_length[arc];
+    return curvature[arc] > seam_curvature ? border_length[arc] : 0;
+  }
+  // That of the edges where the surface itself makes the seam, not its roof. Nothing is kept without a roof.
+  float length_in_fold(Index arc) const { return folded_length.empty() ? length_in_seam(arc) : folded_length[arc]; }
 
   // The length of an arc, longer across a concave seam: distances from a tip grow there.
   float seam_length(Index arc) const

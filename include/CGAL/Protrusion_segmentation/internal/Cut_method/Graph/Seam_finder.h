@@ -79,8 +79,9 @@ public:
     Triples roof; // of an open surface
     if (!border().empty())
       roof = Border_roof(m_surface, border, m_execution)(graph, centre, normals);
-    for (std::vector<float>* weights : {&graph.curvature, &graph.concave_length, &graph.folded_length, &graph.capacity})
-      weights->resize(graph.target.size());
+    graph.curvature.resize(graph.target.size());
+    graph.capacity.resize(graph.target.size());
+    graph.folded_length.resize(roof.empty() ? 0 : graph.target.size());
     for_each_number(graph.number_of_nodes(), m_execution.is_parallel(),
                     [&](Index f)
                     {
@@ -131,11 +132,10 @@ private:
   // `fold`: the curvature of the surface; `valley`: that of its roof
   void weigh(Seam_graph& graph, Index arc, double fold, double valley) const
   {
-    constexpr double seam_curvature = 2;     // from which on an edge lies in a seam: a radius of 1/2
     const double curvature = fold + valley;
+    if (!graph.folded_length.empty())
+      graph.folded_length[arc] = fold > (std::max)(Seam_graph::seam_curvature, valley) ? graph.border_length[arc] : 0;
     graph.curvature[arc] = static_cast<float>(curvature);
-    graph.concave_length[arc] = curvature > seam_curvature ? graph.border_length[arc] : 0;
-    graph.folded_length[arc] = fold > (std::max)(seam_curvature, valley) ? graph.border_length[arc] : 0;
     graph.capacity[arc] = static_cast<float>(m_options.cost(graph.border_length[arc], curvature));
   }
 

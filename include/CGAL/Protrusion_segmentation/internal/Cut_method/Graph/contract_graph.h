@@ -179,8 +179,8 @@ Contracted<Graph> contract(const Graph& graph, const Centres& centre_of_node, Cl
     border.length += graph.border_length[arc];
     if constexpr (has_seams)
     {
-      border.concave_length += graph.concave_length[arc];
-      border.folded_length += graph.folded_length[arc];
+      border.concave_length += graph.length_in_seam(arc);
+      border.folded_length += graph.length_in_fold(arc);
       border.capacity += graph.capacity[arc];
       border.curvature += graph.curvature[arc] * graph.border_length[arc];
     }

@@ -103,7 +103,7 @@ private:
     sums.along += along;
     if (!(m_fine.border_length[old] > 0))
       return;
-    sums.concave_along += along * m_fine.concave_length[old] / m_fine.border_length[old];
+    sums.concave_along += along * m_fine.length_in_seam(old) / m_fine.border_length[old];
     sums.cost_along += along * m_fine.capacity[old] / m_fine.border_length[old];
   }
 
