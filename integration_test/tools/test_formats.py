@@ -138,6 +138,17 @@ def test_pipe(segment, data, name):
     assert len(result.out.splitlines()) == 4
 
 
+def test_coordinates_out_of_range_in_stl(segment, data, tmp_path):
+    """One that is too small is 0, as is -0; one that is too large is none."""
+    text = (data / "tetrahedron.stl").read_text()
+    for word in ("1e-400", "-0"):
+        (tmp_path / "small.stl").write_text(text.replace("vertex 0 0 0", f"vertex 0 {word} 0", 1))
+        segment("small.stl", "-o", "small.off")
+        assert len(OffFile(tmp_path / "small.off").points) == 4
+    (tmp_path / "large.stl").write_text(text.replace("vertex 0 0 0", "vertex 0 1e400 0", 1))
+    segment.refuses("large.stl", message="line 4: '1e400' is no coordinate")
+
+
 @pytest.mark.parametrize("extension", ["obj", "ply", "stl"])
 def test_pipe_of_a_larger_mesh(segment, make_mesh, tmp_path, extension):
     make_mesh("chair", f"a.{extension}", "--faces", 1000)

@@ -2,26 +2,27 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What is text and what is binary is decided here, once: by the number of facets, which a binary file announces.
-// CGAL's reader then gets something that can be read in one way only.
+// What is text and what is binary is decided by the number of facets, which a binary file announces.
 
 #include "reading/formats.h"
 
 #include "command_line/number.h"
-#include "reading/Normalized_text.h"
+#include "reading/Format_error.h"
+#include "reading/Lines.h"
 
-#include <CGAL/IO/STL.h>
+#include <boost/functional/hash.hpp>
+#include <boost/unordered_map.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <cstring>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 namespace tool
 {
@@ -56,14 +57,51 @@ bool has_binary_number(const std::string& bytes)
   return bytes.size() >= facets_begin && bytes.find('\0', header_size) < facets_begin;
 }
 
-void check_coordinates(const std::string& bytes, std::size_t facet)
+// Triangles of a file that names no points: corners with the same coordinates are one point.
+class Triangles
+{
+public:
+  void add_corner(const std::array<double, 3>& corner)
+  {
+    const auto [place, is_new] = m_numbers.try_emplace(corner, m_soup.points.size());
+    if (is_new)
+      m_soup.points.emplace_back(corner[0], corner[1], corner[2]);
+    m_corners.push_back(place->second);
+  }
+
+  // How many corners were added since the last triangle.
+  std::size_t number_of_corners() const { return m_corners.size(); }
+  void end_triangle()
+  {
+    m_soup.polygons.add(m_corners);
+    m_corners.clear();
+  }
+
+  Polygon_soup take_soup() { return std::move(m_soup); }
+
+private:
+  Polygon_soup m_soup;
+  Polygon m_corners; // of the next triangle
+  boost::unordered_map<std::array<double, 3>, std::size_t> m_numbers; // of the points
+};
+
+// 0 and -0 are one coordinate.
+double coordinate(double x)
+{
+  return x + 0.;
+}
+
+void add_facet(const std::string& bytes, std::size_t facet, Triangles& triangles)
 {
   std::array<float, 9> coordinates;
   std::memcpy(coordinates.data(), bytes.data() + facets_begin + facet * facet_size + normal_size,
               sizeof(coordinates));
-  for (const float coordinate : coordinates)
-    if (!std::isfinite(coordinate)) // no order of points has a place for it
+  for (const float x : coordinates)
+    if (!std::isfinite(x))
       throw Format_error("facet " + std::to_string(facet) + " has no finite coordinates");
+  for (std::size_t i = 0; i < coordinates.size(); i += 3)
+    triangles.add_corner({coordinate(coordinates[i]), coordinate(coordinates[i + 1]), coordinate(coordinates[i + 2])});
+  triangles.end_triangle();
 }
 
 Polygon_soup read_binary(const std::string& bytes)
@@ -76,46 +114,39 @@ Polygon_soup read_binary(const std::string& bytes)
   if (facets > (bytes.size() - facets_begin) / facet_size)
     throw Format_error("announces " + std::to_string(facets) + " facets, and ends after " +
                        std::to_string((bytes.size() - facets_begin) / facet_size));
+  Triangles triangles;
   for (std::size_t i = 0; i < facets; ++i)
-    check_coordinates(bytes, i);
-
-  // Without the header, which may look like text, and without what comes behind the facets.
-  std::istringstream in(std::string(header_size, '\0') +
-                        bytes.substr(header_size, facets_begin - header_size + facets * facet_size));
-  Polygon_soup soup;
-  std::vector<Polygon> faces;
-  if (!CGAL::IO::read_STL(in, soup.points, faces))
-    throw Format_error("cannot be read");
-  soup.polygons = polygons_of(faces);
-  return soup;
+    add_facet(bytes, i, triangles);
+  return triangles.take_soup();
 }
 
-// Keeps keywords and vertices, in small letters; names, which may be anything, are left out.
-class STL_normalizer
+// Looks at keywords and vertices, in small and capital letters; names, which may be anything, are left out.
+class STL_text
 {
 public:
-  explicit STL_normalizer(const std::string& text)
+  explicit STL_text(const std::string& text)
   {
+    std::string line; // in small letters
     for (Lines lines(text); lines.next();)
     {
       m_line = lines.line_number();
-      std::string line(lines.line());
+      line.assign(lines.line());
       std::transform(line.begin(), line.end(), line.begin(),
-                     [](unsigned char c) { return char(std::tolower(c)); });
-      add_words(line);
+                     [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+      read_words(line);
     }
     if (m_is_in_facet)
       throw Format_error("ends within a facet");
     if (m_is_in_solid)
       throw Format_error("ends without 'endsolid'");
-    if (m_facets == 0)
+    if (!m_has_facets)
       throw Format_error("has no faces");
   }
 
-  const Normalized_text& text() const { return m_text; }
+  Polygon_soup take_soup() { return m_triangles.take_soup(); }
 
 private:
-  void add_words(std::string_view words)
+  void read_words(std::string_view words)
   {
     for (std::string_view word = take_word(words); !word.empty(); word = take_word(words))
     {
@@ -124,7 +155,6 @@ private:
       if (word == "solid" || word == "endsolid")
       {
         m_is_in_solid = word == "solid";
-        add(word);
         words.remove_prefix((std::min)(words.find("facet normal"), words.size()));
       }
       else if (word == "facet")
@@ -136,12 +166,6 @@ private:
     }
   }
 
-  void add(std::string_view line)
-  {
-    m_text << line;
-    m_text.end_line(m_line);
-  }
-
   void begin_facet()
   {
     if (m_is_in_facet)
@@ -149,45 +173,41 @@ private:
     if (!m_is_in_solid)
       throw Format_error(m_line, "a facet begins outside of a solid");
     m_is_in_facet = true;
-    m_vertices = 0;
-    ++m_facets;
-    add("facet");
+    m_has_facets = true;
   }
 
   void add_vertex(std::string_view& words)
   {
     if (!m_is_in_facet)
       throw Format_error(m_line, "a vertex is outside of a facet");
-    ++m_vertices;
-    m_text << "vertex";
-    for (int i = 0; i < 3; ++i)
-      m_text << " " << take_coordinate(words);
-    m_text.end_line(m_line);
+    std::array<double, 3> corner;
+    for (double& x : corner)
+      x = take_coordinate(words);
+    m_triangles.add_corner(corner);
   }
 
-  // CGAL's reader would not tell which line it stops at.
-  std::string_view take_coordinate(std::string_view& words) const
+  double take_coordinate(std::string_view& words) const
   {
     const std::string_view word = take_word(words);
-    double coordinate = 0;
-    const std::errc error = parse_number(word, coordinate); // one out of range may be 0
-    if (error == std::errc::invalid_argument || !std::isfinite(coordinate))
+    double x = 0; // stays if a number is too small
+    const std::errc error = parse_number(word, x);
+    const bool is_too_small = error == std::errc::result_out_of_range && word.find("e-") != word.npos;
+    if ((error != std::errc() && !is_too_small) || !std::isfinite(x))
       throw Format_error(m_line, quote(word) + " is no coordinate");
-    return word;
+    return coordinate(x);
   }
 
   void end_facet()
   {
-    if (m_vertices != 3)
-      throw Format_error(m_line, "a facet has " + std::to_string(m_vertices) + " vertices");
+    if (m_triangles.number_of_corners() != 3)
+      throw Format_error(m_line, "a facet has " + std::to_string(m_triangles.number_of_corners()) + " vertices");
+    m_triangles.end_triangle();
     m_is_in_facet = false;
-    add("endfacet");
   }
 
-  Normalized_text m_text;
+  Triangles m_triangles;
   std::size_t m_line = 0;
-  std::size_t m_facets = 0;
-  std::size_t m_vertices = 0; // of the facet
+  bool m_has_facets = false;
   bool m_is_in_facet = false;
   bool m_is_in_solid = false;
 };
@@ -203,11 +223,7 @@ Polygon_soup read_STL(const std::string& bytes)
 {
   if (is_binary_STL(bytes) || !begins_with_solid(bytes) || has_binary_number(bytes))
     return read_binary(bytes);
-  Polygon_soup soup;
-  std::vector<Polygon> faces;
-  STL_normalizer(bytes).text().read_by([&](std::istream& in) { return CGAL::IO::read_STL(in, soup.points, faces); });
-  soup.polygons = polygons_of(faces);
-  return soup;
+  return STL_text(bytes).take_soup();
 }
 
 } // namespace tool
