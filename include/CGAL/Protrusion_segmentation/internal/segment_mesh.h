@@ -57,7 +57,7 @@ auto run_on_mesh(const FaceGraph& mesh, const NamedParameters& np, Run run)
   std::optional<Canonical_surface> surface;
   {
     const Stage_scope stage(observer, Stage::READING);
-    Surface_without_small_components rest = leave_out_small_components(read_arrays(mesh, np));
+    Surface_without_small_components rest = leave_out_small_components(read_arrays(mesh, np, execution.is_parallel()));
     if (rest.number_of_small_components > 0)
       observer.small_components_left_out(rest.number_of_small_components);
     execution.check();

@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_MESH_READ_SURFACE_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/user_points.h>
@@ -14,6 +15,7 @@
 #include <CGAL/boost/graph/iterator.h>
 #include <CGAL/boost/graph/properties.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <map>
 #include <stdexcept>
@@ -54,20 +56,22 @@ std::vector<Indexed_surface::Point_3> read_points(const FaceGraph& mesh,
   return points;
 }
 
-// The halfedge of a face from its lexicographically smallest point on: which one `halfedge(f, mesh)` is depends
-// on how the mesh was built.
-template <typename FaceGraph, typename VertexNumbers>
-typename boost::graph_traits<FaceGraph>::halfedge_descriptor first_halfedge(
-  typename boost::graph_traits<FaceGraph>::face_descriptor f,
-  const FaceGraph& mesh,
-  const VertexNumbers& numbers,
-  const std::vector<Indexed_surface::Point_3>& points)
+// Makes every face begin at its lexicographically smallest point: where `halfedge(f, mesh)` begins depends on how the mesh was
+// built.
+inline void begin_at_smallest_points(Surface_arrays& arrays, bool is_parallel)
 {
-  auto first = halfedge(f, mesh);
-  for (const auto h : halfedges_around_face(first, mesh))
-    if (points[get(numbers, source(h, mesh))] < points[get(numbers, source(first, mesh))])
-      first = h;
-  return first;
+  using Index = Indexed_surface::Index;
+  for_each_number(arrays.number_of_faces(), is_parallel,
+                  [&](Index f)
+                  {
+                    const Index begin = arrays.corner_begin[f], end = arrays.corner_begin[f + 1];
+                    const auto first = arrays.corner_vertices.begin() + begin, last = arrays.corner_vertices.begin() + end;
+                    const auto neighbors = arrays.corner_neighbors.begin();
+                    const auto smallest = std::min_element(first, last, [&](Index a, Index b)
+                                                           { return arrays.points[a] < arrays.points[b]; });
+                    std::rotate(neighbors + begin, neighbors + begin + (smallest - first), neighbors + end);
+                    std::rotate(first, smallest, last);
+                  });
 }
 
 // The patches of the faces, numbered in order; none if there are fewer than two.
@@ -86,7 +90,7 @@ std::vector<Indexed_surface::Index> read_patches(const FaceGraph& mesh, PatchMap
 
 // Reads the index arrays of a mesh, in its coordinates: faces in the order of `faces(mesh)`. Linear time.
 template <typename FaceGraph, typename NamedParameters>
-Surface_arrays read_arrays(const FaceGraph& mesh, const NamedParameters& np)
+Surface_arrays read_arrays(const FaceGraph& mesh, const NamedParameters& np, bool is_parallel = false)
 {
   using Index = Indexed_surface::Index;
 
@@ -111,8 +115,7 @@ Surface_arrays read_arrays(const FaceGraph& mesh, const NamedParameters& np)
   const auto null_face = boost::graph_traits<FaceGraph>::null_face();
   for (const auto f : faces(mesh))
   {
-    for (const auto h :
-         halfedges_around_face(first_halfedge(f, mesh, vertex_numbers, arrays.points), mesh))
+    for (const auto h : halfedges_around_face(halfedge(f, mesh), mesh))
     {
       const auto g = face(opposite(h, mesh), mesh);
       arrays.corner_vertices.push_back(get(vertex_numbers, source(h, mesh)));
@@ -121,6 +124,7 @@ Surface_arrays read_arrays(const FaceGraph& mesh, const NamedParameters& np)
     }
     arrays.corner_begin.push_back(static_cast<Index>(arrays.corner_vertices.size()));
   }
+  begin_at_smallest_points(arrays, is_parallel);
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value)
     arrays.patches = read_patches(mesh, parameters::get_parameter(np, internal_np::face_patch));
   return arrays;
