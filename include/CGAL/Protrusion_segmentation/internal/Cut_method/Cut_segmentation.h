@@ -13,22 +13,20 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Component_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/describe_protrusions.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/numbers_of_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
-#include <CGAL/Protrusion_segmentation/internal/Execution/Next_segment.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_side_by_side.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/extract_segment.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/is_convex.h>
 #include <CGAL/Protrusion_segmentation/internal/Tips/select_protrusion_tips.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <queue>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -72,10 +70,14 @@ public:
     for (std::size_t c = 0; c < n; ++c)
     {
       const Execution::Subtask subtask(m_execution, share(c, n) / 2, share(c + 1, n) / 2);
-      loaded[c].load(*this, c, m_execution);
+      loaded[c].load_surface(*this, c, m_execution);
+      loaded[c].load_component(*this, m_execution);
     }
     const Execution::Subtask subtask(m_execution, 0.5, 1);
-    const std::vector<std::size_t> numbers = numbers_of_segments(loaded, k);
+    std::vector<Component*> components;
+    for (const Loaded& one : loaded)
+      components.push_back(one.component.get());
+    const std::vector<std::size_t> numbers = numbers_of_segments(components, k, m_execution);
     for (std::size_t c = 0; c < n; ++c)
     {
       append(c, find_segments(c, loaded[c], *loaded[c].component->best(numbers[c]), m_execution));
@@ -86,6 +88,7 @@ public:
 
   Nested_segments with_automatic_number()
   {
+    m_leaves_convex_whole = true;
     return each_by_itself([](Loaded& loaded, std::size_t)
                           { return *loaded.component->best(loaded.component->automatic_number()); });
   }
@@ -114,12 +117,15 @@ private:
     std::unique_ptr<Canonical_surface> own;
     std::unique_ptr<Component> component;
 
-    void load(Cut_segmentation& all, std::size_t c, Execution& execution)
+    const Indexed_surface& surface(const Cut_segmentation& all) const { return own ? own->surface() : all.m_surface; }
+    void load_surface(Cut_segmentation& all, std::size_t c, Execution& execution)
     {
       if (all.m_select)
         own = std::make_unique<Canonical_surface>(all.select(c), execution.is_parallel());
-      component =
-        std::make_unique<Component>(own ? own->surface() : all.m_surface, all.m_distance, all.m_options, execution);
+    }
+    void load_component(const Cut_segmentation& all, Execution& execution)
+    {
+      component = std::make_unique<Component>(surface(all), all.m_distance, all.m_options, execution);
     }
   };
 
@@ -177,40 +183,13 @@ private:
     Loaded loaded;
     {
       const Execution::Subtask preparation(execution, 0, 0.5);
-      loaded.load(*this, c, execution);
+      loaded.load_surface(*this, c, execution);
+      if (m_leaves_convex_whole && is_convex(loaded.surface(*this)))
+        return {{0}, {}, 0};
+      loaded.load_component(*this, execution);
     }
     const Execution::Subtask search(execution, 0.5, 1);
     return find_segments(c, loaded, cuts(loaded, c), execution);
-  }
-
-  // Of each component, `k` in all if there are as many: first those that are found without a number, then others, each time
-  // the one that gains most; of equals that of the first component.
-  std::vector<std::size_t> numbers_of_segments(std::vector<Loaded>& loaded, std::size_t k)
-  {
-    std::vector<std::size_t> numbers(loaded.size(), 1), automatic(loaded.size(), 0);
-    using Offer = std::tuple<bool, double, std::size_t>; // whether it is a further one, minus the gain, the component
-    std::priority_queue<Offer, std::vector<Offer>, std::greater<>> offers;
-    const auto offer = [&](std::size_t c)
-    {
-      if (const std::optional<double> gain = loaded[c].component->gain_of_next(numbers[c]))
-        offers.emplace(numbers[c] >= automatic[c], -*gain, c);
-    };
-    for (std::size_t c = 0; c < loaded.size(); ++c)
-    {
-      if (loaded.size() > 1)
-        automatic[c] = loaded[c].component->automatic_number();
-      offer(c);
-    }
-    for (std::size_t n = loaded.size(); n < k && !offers.empty(); ++n)
-    {
-      const Next_segment progress(m_execution, n, k);
-      const std::size_t c = std::get<2>(offers.top());
-      offers.pop();
-      ++numbers[c];
-      if (n + 1 < k)
-        offer(c);
-    }
-    return numbers;
   }
 
   // Labels the faces of a component.
@@ -283,6 +262,7 @@ private:
   Execution& m_execution;
   Cut_options m_options;
   bool m_looks_at_protrusions;
+  bool m_leaves_convex_whole = false; // what has no cut that counts is not searched for one
   Nested_segments m_components;
   std::optional<Face_selector<Indexed_surface>> m_select; // if there are several components;
   std::mutex m_selecting;                                 // it has work arrays
