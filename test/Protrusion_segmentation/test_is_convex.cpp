@@ -16,6 +16,8 @@
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
+#include <boost/property_map/property_map.hpp>
+
 #include <cmath>
 #include <random>
 #include <vector>
@@ -66,8 +68,27 @@ void hulls_of_random_points()
   }
 }
 
+// Two halves of a convex body may be parts.
+void patches_are_looked_at()
+{
+  const Mesh mesh = to_graph<Mesh>(scaled(icosphere(3), 3, 1, 1));
+  std::vector<int> patches;
+  for (const auto f : mesh.faces())
+    patches.push_back(mesh.point(mesh.target(mesh.halfedge(f))).x() > 0 ? 1 : 0);
+  const auto map = boost::make_iterator_property_map(patches.begin(), get(boost::face_index, mesh));
+  Recorder<Mesh> record;
+  checked(mesh,
+          [&](auto ids)
+          {
+            return CGAL::segmentation_via_protrusion_tips(mesh, ids,
+                                                          CGAL::parameters::face_patch_map(map).visitor(std::ref(record)));
+          });
+  CGAL_CHECK_EQUAL(record.stages.count("preparation"), 1);
+}
+
 int main()
 {
+  patches_are_looked_at();
   for (const Test_mesh& mesh : {tetrahedron(), box(), box(4, 1, 1), regular_prism(5), icosahedron(), icosphere(3)})
     check_convex(mesh, true);
   for (const Test_mesh& mesh : {star(5, 2, 0.25, 0.1, 0.2), sheet(7, 5, 30, 20)})

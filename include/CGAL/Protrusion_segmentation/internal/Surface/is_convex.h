@@ -34,10 +34,12 @@ inline int bend(const Indexed_surface& surface, Indexed_surface::Index face, Ind
   return result;
 }
 
-// Whether a closed surface bends to one side only. Linear time, but one edge that bends to the other side ends it.
+// Whether a closed surface bends to one side only and is one patch. Linear time, but one edge that bends to the other side ends it.
 inline bool is_convex(const Indexed_surface& surface)
 {
   using Index = Indexed_surface::Index;
+  if (surface.has_patches())
+    return false; // where they meet there is a seam
   int side = 0;
   for (Index f = 0; f < surface.number_of_faces(); ++f)
     for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
