@@ -18,10 +18,11 @@
 
 Mesh_of_file read_mesh(const std::string& file_name)
 {
-  tool::Input_mesh input = tool::read_input_mesh(file_name);
+  const tool::Input_mesh input = tool::read_input_mesh(file_name);
   Mesh_of_file result;
   CGAL::copy_face_graph(input.mesh, result.mesh); // into that of another kernel
-  result.faces = File_faces(std::move(input.face_in_file), std::move(input.label_giver));
+  result.faces = File_faces({input.face_in_file.begin(), input.face_in_file.end()},
+                            {input.label_giver.begin(), input.label_giver.end()});
   return result;
 }
 
