@@ -150,11 +150,11 @@ private:
   {
     const std::size_t n = m_components.number_of_components();
     std::vector<Found> found(n);
-    std::vector<std::size_t> small;
+    std::vector<std::size_t> side_by_side;
     std::size_t done = 0;
     for (std::size_t c = 0; c < n; ++c)
       if (is_small(c))
-        small.push_back(c);
+        side_by_side.push_back(c);
       else
       {
         const Execution::Subtask subtask(m_execution, share(done, n), share(done + 1, n));
@@ -162,8 +162,8 @@ private:
         ++done;
       }
     const Execution::Subtask subtask(m_execution, share(done, n), 1);
-    for_each_side_by_side(small.size(), m_execution, [&](std::size_t i, Execution& execution)
-                          { found[small[i]] = find_segments(small[i], cuts, execution); });
+    for_each_side_by_side(side_by_side.size(), m_execution, [&](std::size_t i, Execution& execution)
+                          { found[side_by_side[i]] = find_segments(side_by_side[i], cuts, execution); });
     for (std::size_t c = 0; c < n; ++c)
       append(c, std::move(found[c]));
     return result();
