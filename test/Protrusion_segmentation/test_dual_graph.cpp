@@ -13,6 +13,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/make_dual_graph.h>
 
 #include <cmath>
+#include <cstdint>
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
@@ -59,6 +60,8 @@ void the_number_of_threads_does_not_matter()
   CGAL_CHECK(found.length == expected.length && found.border_length == expected.border_length);
   CGAL_CHECK(found.curvature == expected.curvature && found.capacity == expected.capacity);
   CGAL_CHECK(found.area == expected.area);
+  for (std::uint32_t arc = 0; arc < expected.target.size(); ++arc)
+    CGAL_CHECK_EQUAL(found.length_in_seam(arc), expected.length_in_seam(arc));
   CGAL_CHECK(internal::centres_of_faces(surface, true) == internal::centres_of_faces(surface, false));
 #endif
 }

@@ -41,7 +41,7 @@ inline Polygons polygons_of(const std::vector<Polygon>& faces)
 inline std::vector<Polygon> vectors_of(const Polygons& polygons)
 {
   std::vector<Polygon> result;
-  for (const auto& corners : polygons)
+  for (const Corners& corners : polygons)
     result.emplace_back(corners.begin(), corners.end());
   return result;
 }

@@ -17,7 +17,9 @@ Both methods go through the same stages:
   histograms of a tip as soon as it is selected, so that this stage lies within the one before;
 - labels: the faces of protrusions get their segments.
 
-All but the first may come several times. Every begin has its end, also if an exception passes.
+All but the first may come several times. They do not come where nothing is searched: on a convex component if no number of
+segments is given, and if as many segments are asked for as there are components, or fewer. Where threads segment
+components side by side, a visitor hears of those of its own thread. Every begin has its end, also if an exception passes.
 
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Protrusion_segmentation::Segmentation_visitor}
