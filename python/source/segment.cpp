@@ -4,6 +4,8 @@
 
 #include "segment.h"
 
+#include "repair/face_patch_map.h"
+
 #include <CGAL/Protrusion_segmentation/segment_borders.h>
 #include <CGAL/Protrusion_segmentation/segmentation_from_protrusion_tips.h>
 #include <CGAL/Protrusion_segmentation/segmentation_via_protrusion_tips.h>
@@ -32,15 +34,14 @@ auto label_map(std::vector<std::size_t>& labels, const tool::Mesh& mesh)
   return boost::make_iterator_property_map(labels.begin(), get(boost::face_index, mesh));
 }
 
-// `patches` are those of the mesh.
+// `patches` are those of the mesh, which may have none.
 auto named_parameters(const Request& request,
                       Watcher& watcher,
-                      const tool::Mesh& mesh,
                       const std::vector<std::size_t>& patches)
 {
   return CGAL::parameters::random_seed(request.random_seed)
     .visitor(std::ref(watcher))
-    .face_patch_map(boost::make_iterator_property_map(patches.begin(), get(boost::face_index, mesh)));
+    .face_patch_map(tool::face_patch_map(patches));
 }
 
 // The result of `run(tag)` with as many threads as asked for, or with one where there is no oneTBB.
@@ -89,7 +90,7 @@ std::size_t run_method(const Request& request,
   const tool::Mesh& mesh = input.mesh;
   const Chosen_method method(request.method);
   const std::vector<std::size_t> patches = tool::patches_of_mesh(input);
-  const auto np = named_parameters(request, watcher, mesh, patches);
+  const auto np = named_parameters(request, watcher, patches);
   return with_threads(request,
                       [&](auto tag)
                       {
@@ -212,7 +213,7 @@ std::vector<std::size_t> select_tips(const Request& request, Watcher& watcher)
   std::vector<tool::Face> found;
   const Chosen_distance distance = choose_distance(request.method).value();
   const std::vector<std::size_t> patches = tool::patches_of_mesh(input);
-  const auto np = named_parameters(request, watcher, input.mesh, patches);
+  const auto np = named_parameters(request, watcher, patches);
   with_threads(request,
                [&](auto tag)
                {

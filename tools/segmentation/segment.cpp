@@ -5,6 +5,7 @@
 #include "segmentation/segment.h"
 
 #include "command_line/number.h"
+#include "repair/face_patch_map.h"
 #include "segmentation/join_segments.h"
 
 #include <CGAL/Protrusion_segmentation/Diffusion_distance.h>
@@ -13,7 +14,6 @@
 #include <CGAL/Protrusion_segmentation/Histogram_method.h>
 #include <CGAL/protrusion_segmentation.h>
 
-#include <boost/property_map/function_property_map.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -66,9 +66,8 @@ std::size_t segment_by(const Method& method, const Mesh& mesh, const std::vector
                        std::vector<std::size_t>& segment_ids, const Segmentation_options& options, Recorder& record)
 {
   const auto ids = boost::make_iterator_property_map(segment_ids.begin(), get(boost::face_index, mesh));
-  const auto face_patches =
-    boost::make_function_property_map<Face>([&](Face face) { return patches.empty() ? 0 : patches[face]; });
-  const auto np = CGAL::parameters::random_seed(options.seed).visitor(std::ref(record)).face_patch_map(face_patches);
+  const auto np =
+    CGAL::parameters::random_seed(options.seed).visitor(std::ref(record)).face_patch_map(face_patch_map(patches));
   if (options.tips)
   {
     std::vector<Face> tips;
