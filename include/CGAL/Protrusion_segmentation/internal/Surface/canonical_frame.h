@@ -19,7 +19,6 @@
 #include <cmath>
 #include <cstddef>
 #include <utility>
-#include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
 
@@ -250,21 +249,20 @@ inline void start_faces_canonically(Surface_arrays& surface, bool reversed, bool
 inline double move_to_canonical_frame(Surface_arrays& surface, bool is_parallel)
 {
   constexpr double unit_of_rounding = 1. / (1 << 30);
-  std::vector<Indexed_surface::Point_3>& points = surface.points;
-  const double unit = normalize(points, is_parallel);
+  const double unit = normalize(surface.points);
   const Canonical_frame frame(surface, is_parallel);
-  for_each_number(points.size(), is_parallel, [&](std::size_t i) { points[i] = frame(points[i]); });
-  const double largest = largest_coordinate(points, is_parallel).value();
+  double largest = 0;
+  for (Indexed_surface::Point_3& point : surface.points)
+  {
+    point = frame(point);
+    largest = (std::max)({largest, std::abs(point.x()), std::abs(point.y()), std::abs(point.z())});
+  }
   if (!(largest > 0))
     return unit;
   const auto rounded = [scale = 1 / (largest * unit_of_rounding)](double x)
   { return std::nearbyint(x * scale) * unit_of_rounding; };
-  for_each_number(points.size(), is_parallel,
-                  [&](std::size_t i)
-                  {
-                    const Indexed_surface::Point_3& p = points[i];
-                    points[i] = Indexed_surface::Point_3(rounded(p.x()), rounded(p.y()), rounded(p.z()));
-                  });
+  for (Indexed_surface::Point_3& p : surface.points)
+    p = Indexed_surface::Point_3(rounded(p.x()), rounded(p.y()), rounded(p.z()));
   start_faces_canonically(surface, frame.mirrors(), is_parallel);
   return unit * largest;
 }

@@ -74,8 +74,10 @@ inline std::vector<Indexed_surface::Index> canonical_order(const Surface_arrays&
   };
   sort_different(places, is_parallel, less,
                  [&less](auto begin, auto end) { std::sort(begin, end, less); });
-  std::vector<Index> order(places.size());
-  for_each_number(places.size(), is_parallel, [&](std::size_t i) { order[i] = places[i].second; });
+  std::vector<Index> order;
+  order.reserve(places.size());
+  for (const Place& place : places)
+    order.push_back(place.second);
   return order;
 }
 
@@ -89,7 +91,7 @@ Canonical_surface::Canonical_surface(Surface_arrays arrays, bool is_parallel)
 CGAL_PROTRUSION_SEGMENTATION_INLINE
 Canonical_surface::Canonical_surface(Surface_without_small_components rest, bool is_parallel)
   : m_unit(rest.is_connected ? move_to_canonical_frame(rest.arrays, is_parallel)
-                             : normalize(rest.arrays.points, is_parallel)),
+                             : normalize(rest.arrays.points)),
     m_position(canonical_order(rest.arrays, is_parallel))
 {
   take_in_order(rest.arrays, is_parallel);
@@ -107,7 +109,8 @@ void Canonical_surface::take_in_order(Surface_arrays& arrays, bool is_parallel)
   arrays = {}; // before memory is needed for more
   m_surface = std::move(ordered).to_surface(is_parallel);
   m_face_at.resize(m_position.size());
-  for_each_number(m_position.size(), is_parallel, [&](Index f) { m_face_at[m_position[f]] = f; });
+  for (Index f = 0; f < m_position.size(); ++f)
+    m_face_at[m_position[f]] = f;
 }
 
 } // namespace CGAL::Protrusion_segmentation::internal

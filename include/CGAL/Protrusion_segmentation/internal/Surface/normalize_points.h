@@ -6,7 +6,6 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_SURFACE_NORMALIZE_POINTS_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 
 #include <CGAL/Bbox_3.h>
 
@@ -34,23 +33,9 @@ public:
     return result;
   }
 
-  // that of the points of both
-  friend Largest_coordinate operator+(Largest_coordinate a, const Largest_coordinate& b)
-  {
-    a.m_largest = (std::max)(a.m_largest, b.m_largest);
-    return a;
-  }
-  double value() const { return m_largest; }
-
 private:
   double m_largest = 0;
 };
-
-inline Largest_coordinate largest_coordinate(const std::vector<Indexed_surface::Point_3>& points, bool is_parallel)
-{
-  return add_numbers(points.size(), is_parallel, Largest_coordinate(),
-                     [&](Largest_coordinate& largest, std::size_t i) { largest.add(points[i]); });
-}
 
 inline Indexed_surface::Point_3 scaled_by_power_of_two(const Indexed_surface::Point_3& p, int exponent)
 {
@@ -60,12 +45,14 @@ inline Indexed_surface::Point_3 scaled_by_power_of_two(const Indexed_surface::Po
 // Scales the points by a power of two, which changes no digit, so that squares of areas neither overflow nor vanish; returns
 // the exponent of the power that scales them back, at most `most`.
 inline int scale_to_unit(std::vector<Indexed_surface::Point_3>& points,
-                         int most = std::numeric_limits<double>::max_exponent,
-                         bool is_parallel = false)
+                         int most = std::numeric_limits<double>::max_exponent)
 {
-  const int exponent = (std::min)(largest_coordinate(points, is_parallel).exponent(), most);
-  for_each_number(points.size(), is_parallel,
-                  [&](std::size_t i) { points[i] = scaled_by_power_of_two(points[i], -exponent); });
+  Largest_coordinate largest;
+  for (const Indexed_surface::Point_3& p : points)
+    largest.add(p);
+  const int exponent = (std::min)(largest.exponent(), most);
+  for (Indexed_surface::Point_3& p : points)
+    p = scaled_by_power_of_two(p, -exponent);
   return exponent;
 }
 
@@ -73,16 +60,16 @@ inline int scale_to_unit(std::vector<Indexed_surface::Point_3>& points,
 // factor back. A power of two changes no digit, so that a mesh scaled by two gives the same numbers.
 // The first scaling keeps the subtraction of coordinates near the largest double from overflowing. Only there
 // the result fills [-2, 2]^3: the factor 2^1024 would be no double.
-inline double normalize(std::vector<Indexed_surface::Point_3>& points, bool is_parallel = false)
+inline double normalize(std::vector<Indexed_surface::Point_3>& points)
 {
   constexpr int most = std::numeric_limits<double>::max_exponent - 1;
-  const int exponent = scale_to_unit(points, most, is_parallel);
-  const Bbox_3 box = add_numbers(points.size(), is_parallel, Bbox_3(),
-                                 [&](Bbox_3& all, std::size_t i) { all += points[i].bbox(); });
+  const int exponent = scale_to_unit(points, most);
+  const Bbox_3 box = bbox_3(points.begin(), points.end());
   const Indexed_surface::Vector_3 centre((box.xmin() + box.xmax()) / 2, (box.ymin() + box.ymax()) / 2,
                                       (box.zmin() + box.zmax()) / 2);
-  for_each_number(points.size(), is_parallel, [&](std::size_t i) { points[i] = points[i] - centre; });
-  return std::ldexp(1., exponent + scale_to_unit(points, most - exponent, is_parallel));
+  for (Indexed_surface::Point_3& p : points)
+    p = p - centre;
+  return std::ldexp(1., exponent + scale_to_unit(points, most - exponent));
 }
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -180,8 +180,7 @@ inline Affinity_graph contract_affinities(const Affinities& nodes, const Cluster
   result.affinity.reserve(nodes.affinity.size());
   Arc_merger<float>(nodes.first_arc, nodes.target, clusters.of_node, sets)(
     result.first_arc, result.target, is_parallel, [&](float& sum, Index arc) { sum += nodes.affinity[arc]; },
-    [&](std::size_t number_of_arcs) { result.affinity.resize(number_of_arcs); },
-    [&](std::size_t arc, float sum) { result.affinity[arc] = sum; });
+    [&](float sum) { result.affinity.push_back(sum); });
   return result;
 }
 

@@ -9,7 +9,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/Thread_workspaces.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
-#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_index.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Index_groups.h>
 
 #include <algorithm>
@@ -45,10 +44,10 @@ public:
     : m_first_arc(first_arc), m_target(target), m_number(number), m_sets(sets)
   {}
 
-  // Appends to `first_arc` and `target`. `add(sum, arc)` adds an arc of nodes, at first to `Sum()`; `resize(n)` is called when there
-  // are n arcs in all, then `put(arc, sum)` for each new one, if parallel by several threads.
-  template <typename Add, typename Resize, typename Put>
-  void operator()(std::vector<Index>& first_arc, std::vector<Index>& target, bool is_parallel, Add add, Resize resize, Put put) const
+  // Appends to `first_arc` and `target`. `add(sum, arc)` adds an arc of nodes, at first to `Sum()`; `append(sum)` is called with
+  // that of each arc, in their order.
+  template <typename Add, typename Append>
+  void operator()(std::vector<Index>& first_arc, std::vector<Index>& target, bool is_parallel, Add add, Append append) const
   {
     // more than needed, but memory that is not written to costs nothing, and growing would hold all twice
     first_arc.reserve(m_sets.number_of_groups() + 1);
@@ -63,16 +62,14 @@ public:
       const std::size_t number = (std::min)(blocks.size(), all - first);
       places.for_each_index(number, is_parallel, [&](std::vector<Index>& place, std::size_t b)
                             { merge_block(first + b, place, blocks[b], add); });
-      std::vector<Index> begin(1, static_cast<Index>(target.size())); // of the arcs of each block, and the end
       for (std::size_t b = 0; b < number; ++b)
       {
         for (Index end : blocks[b].end)
-          first_arc.push_back(begin[b] + end);
-        begin.push_back(first_arc.back());
+          first_arc.push_back(static_cast<Index>(target.size()) + end);
+        target.insert(target.end(), blocks[b].target.begin(), blocks[b].target.end());
+        for (const Sum& sum : blocks[b].sums)
+          append(sum);
       }
-      target.resize(begin.back());
-      resize(target.size());
-      for_each_index(number, is_parallel, [&](std::size_t b) { copy_block(blocks[b], begin[b], target, put); });
     }
   }
 
@@ -111,14 +108,6 @@ private:
           }
       arcs.end.push_back(static_cast<Index>(arcs.target.size()));
     }
-  }
-
-  template <typename Put>
-  static void copy_block(const Block& arcs, Index begin, std::vector<Index>& target, Put put)
-  {
-    std::copy(arcs.target.begin(), arcs.target.end(), target.begin() + begin);
-    for (std::size_t arc = 0; arc < arcs.sums.size(); ++arc)
-      put(begin + arc, arcs.sums[arc]);
   }
 
   const std::vector<Index>& m_first_arc;
@@ -196,26 +185,19 @@ Contracted<Graph> contract(const Graph& graph, const Centres& centre_of_node, Cl
       border.curvature += graph.curvature[arc] * graph.border_length[arc];
     }
   };
-  const auto resize = [&to = result.graph](std::size_t number_of_arcs)
+  const auto append = [&to = result.graph](const Merged_border& border)
   {
-    to.border_length.resize(number_of_arcs);
-    if constexpr (has_seams)
-      for (std::vector<float>* values : {&to.concave_length, &to.folded_length, &to.capacity, &to.curvature})
-        values->resize(number_of_arcs);
-  };
-  const auto put = [&to = result.graph](std::size_t arc, const Merged_border& border)
-  {
-    to.border_length[arc] = border.length;
+    to.border_length.push_back(border.length);
     if constexpr (has_seams)
     {
-      to.concave_length[arc] = border.concave_length;
-      to.folded_length[arc] = border.folded_length;
-      to.capacity[arc] = border.capacity;
-      to.curvature[arc] = border.length > 0 ? border.curvature / border.length : border.curvature;
+      to.concave_length.push_back(border.concave_length);
+      to.folded_length.push_back(border.folded_length);
+      to.capacity.push_back(border.capacity);
+      to.curvature.push_back(border.length > 0 ? border.curvature / border.length : border.curvature);
     }
   };
   Arc_merger<Merged_border>(graph.first_arc, graph.target, clusters.of_node, sets)(
-    result.graph.first_arc, result.graph.target, is_parallel, add, resize, put);
+    result.graph.first_arc, result.graph.target, is_parallel, add, append);
   measure_lengths(result.graph, result.centre, is_parallel);
   if constexpr (has_seams)
     result.graph.outward = graph.outward;
