@@ -29,13 +29,13 @@ public:
     : m_graph(graph), m_memo(memo), m_options(options), m_partition(graph)
   {}
 
-  // For a set and one of its segments, whose cuts are known: the set with two of these, with three, and so on.
+  // For a set and one of its segments, whose cuts are known: the set with the two of these that are worth most, with three, and so on.
   std::vector<Cut_set> operator()(const Cut_set& set, Index segment)
   {
     std::vector<Cut_set> result = {set};
     Index rest = segment;
-    for (const Cut* cut : surest_first(m_memo[segment].cuts))
-      if (leaves_segment(m_memo[rest].segment, cut->inner))
+    for (const Cut* cut : best_first(compatible_cuts(segment)))
+      if (can_be_cut_off(m_memo[rest].segment, cut->inner))
       {
         result.push_back(with_cut(result.back(), rest, *cut));
         rest = result.back().cuts.back().outer;
@@ -45,18 +45,37 @@ public:
   }
 
 private:
-  std::vector<const Cut*> surest_first(const std::vector<Cut>& cuts) const
+  using Cuts = std::vector<const Cut*>;
+
+  // The surest one, the surest one that can be made besides, and so on. What lies along earlier borders may be a scrap of these.
+  Cuts compatible_cuts(Index segment)
   {
-    std::vector<const Cut*> result;
-    for (const Cut& cut : cuts)
-      if (cut.log_odds >= m_options.sure_log_odds)
-        result.push_back(&cut);
-    std::stable_sort(result.begin(), result.end(), [](const Cut* a, const Cut* b) { return a->log_odds > b->log_odds; });
+    constexpr double most_neighbors = 0.4; // earlier borders half as long as the cut
+    Cuts sure;
+    for (const Cut& cut : m_memo[segment].cuts)
+      if (cut.log_odds >= m_options.sure_log_odds && cut.clues.neighbors <= most_neighbors)
+        sure.push_back(&cut);
+    std::stable_sort(sure.begin(), sure.end(), [](const Cut* a, const Cut* b) { return a->log_odds > b->log_odds; });
+    Cuts result;
+    Segment rest = m_memo[segment].segment;
+    for (const Cut* cut : sure)
+      if (can_be_cut_off(rest, cut->inner))
+      {
+        result.push_back(cut);
+        rest.nodes = other_side(rest, cut->inner);
+        rest.area -= m_graph.area_of(cut->inner);
+      }
     return result;
   }
 
+  static Cuts best_first(Cuts cuts)
+  {
+    std::stable_sort(cuts.begin(), cuts.end(), [](const Cut* a, const Cut* b) { return a->value > b->value; });
+    return cuts;
+  }
+
   // Whether a side lies in a segment, and what is left of that is connected and large enough.
-  bool leaves_segment(const Segment& segment, const Nodes& side)
+  bool can_be_cut_off(const Segment& segment, const Nodes& side)
   {
     if (!std::includes(segment.nodes.begin(), segment.nodes.end(), side.begin(), side.end()) ||
         !is_large_enough(m_graph.area_of(side), segment.area))
