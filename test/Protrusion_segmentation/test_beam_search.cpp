@@ -23,10 +23,12 @@ using internal::Nodes;
 
 constexpr double rounding = 1e-12;
 
-// Every segment that may matter at all is searched.
+// Every segment that may matter at all is searched, cuts are made one at a time, and three sets are kept.
 Cut_options thorough_options()
 {
   Cut_options options;
+  options.number_of_sets = 3;
+  options.sure_log_odds = infinity;
   options.largest_relative_value = 0.5;
   options.least_protrusion = -infinity;
   options.searched_at_once = 1;
@@ -160,7 +162,7 @@ void few_segments_are_searched(const Test_mesh& mesh, std::size_t number_of_cuts
 {
   Component_of_mesh of_mesh(mesh, thorough_options());
   All_cuts all(mesh);
-  const std::vector<Cut_set> expected = all.best_of_beam(number_of_cuts);
+  const std::vector<Cut_set> expected = all.best_of_beam(number_of_cuts, thorough_options().number_of_sets);
   for (std::size_t i = 0; i < expected.size(); ++i)
   {
     const Cut_set* found = of_mesh.component.best(i + 1);
@@ -224,6 +226,55 @@ void sets_do_not_depend_on_what_was_asked_before(const Test_mesh& mesh)
     }
 }
 
+// Each made set has one sure cut more than the one before, in what the earlier ones have left. A side that is cut off is whole in the
+// segment where the cut was found.
+void sure_cuts_leave_each_other_alone(const Test_mesh& mesh, std::size_t least_number)
+{
+  const Cut_options options;
+  const Indexed_surface surface = to_surface(mesh);
+  const std::optional<internal::Any_distance> distance;
+  const internal::Graphs_of_surface graphs(surface, options, quiet_execution());
+  internal::Segment_search search(surface, graphs, distance, options, quiet_execution());
+  internal::Segment_memo memo(graphs.coarse);
+  Cut_set whole;
+  whole.segments.push_back(memo.find_or_add(all_nodes(graphs.coarse)));
+  memo.set_cuts(0, search({&memo[0].segment}).front());
+  internal::Sure_cuts sure_cuts(graphs.coarse, memo, options);
+  const std::vector<Cut_set> sets = sure_cuts(whole, 0);
+  CGAL_CHECK(sets.size() >= least_number - 1); // the first one has two cuts
+  for (std::size_t i = 0; i < sets.size(); ++i)
+  {
+    CGAL_CHECK_EQUAL(sets[i].cuts.size(), i + 2);
+    Index rest = 0;
+    double value = 0;
+    for (const Cut_set::Made_cut& made : sets[i].cuts)
+    {
+      CGAL_CHECK_EQUAL(made.segment, rest);
+      const auto found = std::find_if(memo[0].cuts.begin(), memo[0].cuts.end(), [&](const internal::Cut& cut)
+                                      { return cut.inner == memo[made.inner].segment.nodes; });
+      CGAL_CHECK(found != memo[0].cuts.end() && found->log_odds >= options.sure_log_odds);
+      value += made.value;
+      rest = made.outer;
+    }
+    CGAL_CHECK_CLOSE(sets[i].value, value, rounding);
+    std::vector<Index> labels(graphs.coarse.number_of_nodes(), 0);
+    for (std::size_t s = 0; s < sets[i].segments.size(); ++s)
+      for (Index node : memo[sets[i].segments[s]].segment.nodes)
+        labels[node] = Index(s);
+    check_segments(graphs.coarse, labels, i + 3);
+  }
+}
+
+// The arms of a star without a ball are worth less, one at a time, than a cut through the middle.
+void sure_cuts_find_better_sets(std::size_t arms)
+{
+  const Test_mesh mesh = star_of_equal_arms(arms);
+  Cut_options one_at_a_time;
+  one_at_a_time.sure_log_odds = infinity;
+  Component_of_mesh with(mesh), without(mesh, one_at_a_time);
+  CGAL_CHECK(with.component.best(arms + 1)->value > without.component.best(arms + 1)->value);
+}
+
 int main()
 {
   for (const Test_mesh& mesh : {star(4), creature(), torus(), bumpy_sphere(3, 1), sheet(20, 30)})
@@ -240,6 +291,12 @@ int main()
     few_segments_are_searched(mesh, 12);
     sets_do_not_depend_on_what_was_asked_before(mesh);
   }
+  sure_cuts_leave_each_other_alone(star(6), 6);
+  sure_cuts_leave_each_other_alone(star_of_equal_arms(6), 5);
+  sure_cuts_leave_each_other_alone(creature(), 2);
+  sure_cuts_leave_each_other_alone(torus(), 1); // none
+  sure_cuts_find_better_sets(6);
+  sure_cuts_find_better_sets(8);
   for (const double least_gain : {0.01, 0.02, 0.05})
     for (const Test_mesh& mesh : {star(5), creature()})
       sets_end_where_cuts_gain_little(mesh, least_gain);

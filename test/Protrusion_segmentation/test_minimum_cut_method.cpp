@@ -60,6 +60,15 @@ void evident_protrusions_are_counted_without_a_number()
   CGAL_CHECK_EQUAL(automatic_segmentation(icosphere(3)).number, 1);
 }
 
+// None of them keeps the core.
+void equal_arms_are_counted_without_a_number()
+{
+  for (const std::size_t arms : {3, 4, 5, 6, 8})
+    CGAL_CHECK_EQUAL(automatic_segmentation(star_of_equal_arms(arms, 2)).number, arms + 1);
+  for (const std::size_t arms : {3, 4, 8})
+    CGAL_CHECK_EQUAL(automatic_segmentation(star_of_equal_arms(arms, 1.2)).number, arms + 1);
+}
+
 // However long they are: nothing but a short cut speaks for a border.
 void smooth_tubes_are_whole()
 {
@@ -256,6 +265,7 @@ int main()
   true_parts_are_found();
   true_parts_of_a_large_surface_are_found();
   evident_protrusions_are_counted_without_a_number();
+  equal_arms_are_counted_without_a_number();
   smooth_tubes_are_whole();
   bent_tubes_are_whole();
   a_seam_is_cut_once();

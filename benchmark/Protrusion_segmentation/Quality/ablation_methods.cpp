@@ -7,6 +7,7 @@
 #include <CGAL/protrusion_segmentation.h>
 
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -80,6 +81,7 @@ std::vector<Segmentation_method> ablation_methods()
           without("level-sets", &Cut_options::level_sets, std::size_t(0)),
           without("regions", &Cut_options::regions, std::size_t(0)),
           without("choosing-together", &Cut_options::number_of_sets, std::size_t(1)),
+          without("sure-cuts-at-once", &Cut_options::sure_log_odds, std::numeric_limits<double>::infinity()),
           without("minimum-cut-on-faces", &Cut_options::moves_borders_on_faces, false),
           without_clues("concave-share", {{&Cut_weights::concave_share, 0.58}}),
           without_clues("relative-length", {{&Cut_weights::relative_length, 0.69}}),

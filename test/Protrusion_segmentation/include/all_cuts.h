@@ -62,8 +62,8 @@ public:
     return set.value;
   }
 
-  // The best one of three sets of cuts that get the best of their four best cuts each, again and again.
-  std::vector<Cut_set> best_of_beam(std::size_t number_of_cuts)
+  // The best one of some sets of cuts that get the best of their four best cuts each, again and again.
+  std::vector<Cut_set> best_of_beam(std::size_t number_of_cuts, std::size_t number_of_sets)
   {
     std::vector<Cut_set> beam = {m_whole}, result = {m_whole};
     const auto is_better = [](const Cut_set& a, const Cut_set& b) { return a.value > b.value; };
@@ -80,7 +80,7 @@ public:
       std::stable_sort(next.begin(), next.end(), is_better);
       beam.clear();
       for (const Cut_set& set : next)
-        if (beam.size() < 3 &&
+        if (beam.size() < number_of_sets &&
             std::none_of(beam.begin(), beam.end(),
                          [&](const Cut_set& other) { return other.segments == set.segments; }))
           beam.push_back(set);

@@ -15,7 +15,7 @@
 // | spheres           | icosahedron, dodecahedron, football, icosphere, dual, truncated       |
 // | revolution        | uv_sphere, open_cylinder, closed_cylinder, capsule,                   |
 // |                   | capsule_with_ball, dumbbell, torus, revolution of a Profile           |
-// | bodies            | star, creature, body_with_hands, implicit_mesh of an Implicit_body    |
+// | bodies            | star, star_of_equal_arms, creature, body_with_hands, implicit_mesh    |
 // | random            | jittered, bumpy_sphere, height_field, random_surface                  |
 // | transformations   | translated, scaled, rotated, transformed, with_face_order,            |
 // |                   | with_reversed_orientation, triangulated, merged, random_permutation   |

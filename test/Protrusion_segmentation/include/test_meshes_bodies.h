@@ -29,6 +29,9 @@ Test_mesh star(std::size_t arms,
                double length_step = 0.04,
                double cell = 0.22);
 
+// Equal sticks in a plane that meet in a ball hardly wider than they are. Parts: 0 the ball, 1 + i the i-th arm.
+Test_mesh star_of_equal_arms(std::size_t arms, double arm_length = 1.2, double arm_radius = 0.2, double cell = 0.12);
+
 // A trunk with four legs, and a neck with a head at its +x end.
 // Parts: 0 the trunk, 1 to 4 the legs (one a bit longer than the other), 5 the neck and the head.
 Test_mesh creature(double cell = 0.16);
@@ -50,6 +53,18 @@ star(std::size_t arms, double arm_length, double arm_radius, double length_step,
     sticks.push_back({{0, 0, 0}, reach * spread_direction(i, arms), arm_radius, arm_radius, i + 1});
   }
   return implicit_mesh(Implicit_body(sticks, 0.03), cell);
+}
+
+CGAL_PROTRUSION_SEGMENTATION_INLINE Test_mesh
+star_of_equal_arms(std::size_t arms, double arm_length, double arm_radius, double cell)
+{
+  std::vector<Stick> sticks = {ball({0, 0, 0}, 1.25 * arm_radius, 0)};
+  for (std::size_t i = 0; i < arms; ++i)
+  {
+    const double angle = 2 * pi * double(i) / double(arms);
+    sticks.push_back({{0, 0, 0}, {arm_length * std::cos(angle), arm_length * std::sin(angle), 0}, arm_radius, arm_radius, i + 1});
+  }
+  return implicit_mesh(Implicit_body(sticks, 0.04), cell);
 }
 
 CGAL_PROTRUSION_SEGMENTATION_INLINE Test_mesh creature(double cell)

@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Sure_cuts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/number_of_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
@@ -16,8 +17,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -25,15 +28,15 @@ namespace CGAL::Protrusion_segmentation::internal {
 
 // Searches the cuts of a connected surface that are best together, for one more segment at a time. Greedy choice fails, because
 // one good cut can block two better ones: the best sets of cuts are kept, a beam, and each is tried with its best
-// further cuts.
+// further cuts. Sets of several sure cuts join the beam where it has come to sets of as many segments.
 class Beam_search
 {
 public:
   using Index = Dual_graph::Index;
 
   // The arguments must outlive the object.
-  Beam_search(const Dual_graph& graph, Segment_search& search, const Cut_options& options)
-    : m_search(search), m_options(options), m_memo(graph)
+  Beam_search(const Seam_graph& graph, Segment_search& search, const Cut_options& options)
+    : m_search(search), m_options(options), m_memo(graph), m_sure_cuts(graph, m_memo, options)
   {
     Nodes all(graph.number_of_nodes());
     std::iota(all.begin(), all.end(), Index(0));
@@ -110,6 +113,11 @@ private:
       search(ids);
       next = best_next_sets();
     }
+    make_sure_cuts();
+    for (const Cut_set& set : m_of_sure_cuts[m_best.size() + 1])
+      add_if_new(next, set);
+    std::stable_sort(next.begin(), next.end(), [](const Cut_set& a, const Cut_set& b) { return a.value > b.value; });
+    next.resize((std::min)(next.size(), m_options.number_of_sets));
     if (next.empty() || next.front().value <= least)
       return false;
     m_best.push_back(next.front());
@@ -127,6 +135,22 @@ private:
       m_memo.set_cuts(ids[i], std::move(cuts[i]));
   }
 
+  // The sure cuts of segments of the beam that have been searched since the last time.
+  void make_sure_cuts()
+  {
+    for (const Cut_set& set : m_beam)
+      for (Index s : set.segments)
+        if (m_memo[s].is_searched && m_with_sure_cuts.insert(s).second)
+          for (Cut_set& further : m_sure_cuts(set, s))
+            m_of_sure_cuts[further.segments.size()].push_back(std::move(further));
+  }
+
+  static void add_if_new(std::vector<Cut_set>& sets, Cut_set set)
+  {
+    if (std::none_of(sets.begin(), sets.end(), [&](const Cut_set& other) { return other.segments == set.segments; }))
+      sets.push_back(std::move(set));
+  }
+
   // The best different sets of one cut more, as far as segments have been searched.
   std::vector<Cut_set> best_next_sets()
   {
@@ -141,9 +165,7 @@ private:
     for (std::size_t i = 0; i < choices.size() && sets.size() < m_options.number_of_sets; ++i)
     {
       const auto& [before, segment, cut, gain] = choices[i];
-      Cut_set set = before->with(m_memo.made_cut(segment, m_memo[segment].cuts[cut], gain));
-      if (std::none_of(sets.begin(), sets.end(), [&](const Cut_set& other) { return other.segments == set.segments; }))
-        sets.push_back(std::move(set));
+      add_if_new(sets, before->with(m_memo.made_cut(segment, m_memo[segment].cuts[cut], gain)));
     }
     return sets;
   }
@@ -196,6 +218,9 @@ private:
   Segment_search& m_search;
   const Cut_options& m_options;
   Segment_memo m_memo;
+  Sure_cuts m_sure_cuts;
+  std::set<Index> m_with_sure_cuts; // segments whose sure cuts have been made,
+  std::map<std::size_t, std::vector<Cut_set>> m_of_sure_cuts; // and the sets of these, by their numbers of segments
   std::vector<Cut_set> m_beam; // of equally many cuts, the best first
   std::vector<Cut_set> m_best; // for every number of segments from 1 on
 };

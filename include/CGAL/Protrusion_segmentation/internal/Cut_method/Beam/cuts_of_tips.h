@@ -77,15 +77,21 @@ private:
     std::vector<bool> is_other_tip(m_graphs.coarse.number_of_nodes(), false);
     for (Index other : tips)
       is_other_tip[other] = other != tip; // two tips in one node are one
-    constexpr double largest_share = 0.75; // of a segment; what is more is the body without something else
+    // of a segment; what is more is the body without something else
+    const double largest_share = has_any(segment.nodes, is_other_tip) ? 0.5 : 0.75;
     return m_search.cut_of_tip(segment, tip,
                                [&](const Nodes& nodes)
                                {
                                  const double area = m_graphs.coarse.area_of(nodes);
                                  return 2 * area <= 1 && area <= largest_share * segment.area &&
                                         std::find(nodes.begin(), nodes.end(), tip) != nodes.end() &&
-                                        std::none_of(nodes.begin(), nodes.end(), [&](Index i) { return is_other_tip[i]; });
+                                        !has_any(nodes, is_other_tip);
                                });
+  }
+
+  static bool has_any(const Nodes& nodes, const std::vector<bool>& is_tip)
+  {
+    return std::any_of(nodes.begin(), nodes.end(), [&](Index i) { return is_tip[i]; });
   }
 
   const Graphs_of_surface& m_graphs;
