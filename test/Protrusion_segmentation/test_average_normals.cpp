@@ -6,6 +6,7 @@
 
 #include "check.h"
 #include "dual_graphs.h"
+#include "flat_shapes.h"
 #include "segmentations.h"
 #include "test_meshes.h"
 
@@ -18,80 +19,8 @@
 #include <cstddef>
 #include <functional>
 #include <iostream>
-#include <map>
-#include <random>
-#include <utility>
 
 using namespace test_meshes;
-
-constexpr int outside = -1;
-
-// The cells of a grid over [-1, 1] x [-1, 1], each as two triangles, for whose centre `part(x, y)` is not `outside`. Vertices
-// are moved by up to a tenth of an edge, so that outlines are ragged.
-template <typename Part>
-Test_mesh sheet(Part part, int cells = 90)
-{
-  std::mt19937 random(5);
-  const double size = 2. / cells;
-  const auto moved = [&](int i) { return size * (i + 0.2 * (random() / 4294967296. - 0.5)) - 1; };
-  Test_mesh mesh;
-  std::map<std::pair<int, int>, std::size_t> numbers;
-  const auto point = [&](int i, int j)
-  {
-    const auto [position, is_new] = numbers.emplace(std::make_pair(i, j), mesh.points.size());
-    if (is_new)
-    {
-      const double x = moved(i), y = moved(j);
-      mesh.add_point({x, y, 0});
-    }
-    return position->second;
-  };
-  for (int j = 0; j < cells; ++j)
-    for (int i = 0; i < cells; ++i)
-      if (const int p = part((i + 0.5) * size - 1, (j + 0.5) * size - 1); p != outside)
-      {
-        const std::size_t a = point(i, j), b = point(i + 1, j), c = point(i + 1, j + 1),
-                          d = point(i, j + 1);
-        mesh.add_face({a, b, (i + j) % 2 == 0 ? c : d}, std::size_t(p));
-        mesh.add_face({(i + j) % 2 == 0 ? a : b, c, d}, std::size_t(p));
-      }
-  return mesh;
-}
-
-// A disk with arms around it, each a part. `half_width(r)`: of an arm at the distance r from the centre; `turned`: by how many arms
-template <typename HalfWidth>
-Test_mesh star_with_arms(int arms, int cells, double disk, double turned, HalfWidth half_width)
-{
-  return sheet(
-    [=](double x, double y)
-    {
-      constexpr double reach = 0.95;
-      const double r = std::hypot(x, y), turn = std::atan2(y, x) * arms / (2 * pi) + arms + turned; // in arms
-      const double nearest = std::round(turn), angle = (turn - nearest) * 2 * pi / arms;
-      if (r < disk)
-        return 0;
-      return r < reach && std::abs(r * std::sin(angle)) < half_width(r) && std::abs(angle) < pi / arms
-               ? 1 + int(nearest) % arms
-               : outside;
-    },
-    cells);
-}
-
-Test_mesh star(int arms, int cells)
-{
-  return star_with_arms(arms, cells, 0.35, 0, [](double) { return 0.12; });
-}
-
-Test_mesh flat_dumbbell()
-{
-  return sheet(
-    [](double x, double y)
-    {
-      if (std::hypot(std::abs(x) - 0.6, y) < 0.33)
-        return x < 0 ? 1 : 2;
-      return std::abs(y) < 0.1 && std::abs(x) < 0.6 ? 0 : outside;
-    });
-}
 
 void normals_of_a_sphere_point_outward()
 {
@@ -111,7 +40,7 @@ void what_is_open()
 {
   const auto is_open = [](const Test_mesh& mesh)
   { return !CGAL::Protrusion_segmentation::internal::Border_edges(to_surface(mesh))().empty(); };
-  CGAL_CHECK(is_open(star(5, 30)));
+  CGAL_CHECK(is_open(flat_star(5, 30)));
   CGAL_CHECK(!is_open(icosphere(2)));
 }
 
@@ -151,17 +80,17 @@ void no_parts_without_concave_corners()
 {
   const auto inside = [](bool is_inside) { return is_inside ? 0 : outside; };
   CGAL_CHECK_EQUAL(
-    automatic_segmentation(sheet([&](double x, double y) { return inside(std::hypot(x, y) < 0.95); })).number, 1u);
+    automatic_segmentation(flat_shape([&](double x, double y) { return inside(std::hypot(x, y) < 0.95); })).number, 1u);
   CGAL_CHECK_EQUAL(automatic_segmentation(
-                sheet([&](double x, double y) { return inside(std::abs(x) < 0.8 && std::abs(y) < 0.8); }))
+                flat_shape([&](double x, double y) { return inside(std::abs(x) < 0.8 && std::abs(y) < 0.8); }))
                 .number,
               1u);
-  CGAL_CHECK_EQUAL(automatic_segmentation(sheet([&](double, double y) { return inside(std::abs(y) < 0.2); })).number,
+  CGAL_CHECK_EQUAL(automatic_segmentation(flat_shape([&](double, double y) { return inside(std::abs(y) < 0.2); })).number,
               1u);
   CGAL_CHECK_EQUAL(
-    automatic_segmentation(sheet([&](double x, double y) { return inside(x * x + 4 * y * y < 0.9); })).number, 1u);
+    automatic_segmentation(flat_shape([&](double x, double y) { return inside(x * x + 4 * y * y < 0.9); })).number, 1u);
   CGAL_CHECK_EQUAL(automatic_segmentation(
-                sheet([&](double x, double y) { return inside(std::abs(std::hypot(x, y) - 0.7) < 0.2); }))
+                flat_shape([&](double x, double y) { return inside(std::abs(std::hypot(x, y) - 0.7) < 0.2); }))
                 .number,
               1u);
 }
@@ -169,14 +98,9 @@ void no_parts_without_concave_corners()
 void arms_are_parts()
 {
   constexpr double least_share = 0.97;
-  check_parts(star(5, 90), automatic_segmentation(star(5, 90)), least_share);
-  check_parts(star(6, 140), automatic_segmentation(star(6, 140)), least_share);
+  check_parts(flat_star(5, 90), automatic_segmentation(flat_star(5, 90)), least_share);
+  check_parts(flat_star(6, 140), automatic_segmentation(flat_star(6, 140)), least_share);
   check_parts(flat_dumbbell(), automatic_segmentation(flat_dumbbell()), least_share);
-}
-
-Test_mesh star_with_tapering_arms(int arms, int cells, double turned)
-{
-  return star_with_arms(arms, cells, 0.4, turned, [](double r) { return 0.17 - 0.11 * (r - 0.4) / 0.55; });
 }
 
 // Arms that taper, of a sheet with a jagged outline, are neither cut in two nor left with the disk: all of one turn, and 10 of 12
@@ -212,23 +136,6 @@ void a_zigzag_has_no_corners()
   CGAL_CHECK(right >= 61);
 }
 
-// A figure with a head, arms and legs, whose parts are not alike.
-Test_mesh flat_figure(int cells)
-{
-  return sheet(
-    [](double x, double y)
-    {
-      if (std::hypot(x, y - 0.62) < 0.22)
-        return 1;
-      if (std::abs(x) < 0.24 && y > -0.2 && y < 0.45)
-        return 0;
-      if (y > 0.2 && y < 0.36 && std::abs(x) < 0.9)
-        return x < 0 ? 2 : 3;
-      return std::abs(std::abs(x) - 0.13) < 0.1 && y > -0.95 && y <= -0.2 ? (x < 0 ? 4 : 5) : outside;
-    },
-    cells);
-}
-
 void figures_have_head_arms_and_legs()
 {
   for (const int cells : {60, 90, 120})
@@ -242,7 +149,7 @@ void bent_sheets_have_the_parts_of_flat_ones()
     [](double x, double y) { return x * y; }, [](double x, double y) { return x * x + y * y; },
     [](double x, double) { return x * x; }};
   constexpr double least_share = 0.95;
-  for (const Test_mesh& plane : {star(5, 90), flat_dumbbell()})
+  for (const Test_mesh& plane : {flat_star(5, 90), flat_dumbbell()})
     for (const auto& height : heights)
       for (const double size : {1e-4, 1e-2, 0.2})
       {
@@ -255,7 +162,7 @@ void bent_sheets_have_the_parts_of_flat_ones()
 
 void place_and_size_do_not_count()
 {
-  const Test_mesh plane = star(5, 90);
+  const Test_mesh plane = flat_star(5, 90);
   const Labels labels = as_partition(automatic_segmentation(plane).labels);
   for (const Test_mesh& moved :
        {translated(plane, {5, -3, 2}), scaled(plane, 1000),

@@ -15,7 +15,7 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// The edges of the border of a surface.
+// The edges of the border of a surface, or of its outline: of the border and of the faces beside rims.
 class Border_edges
 {
 public:
@@ -30,11 +30,14 @@ public:
     double length() const { return std::sqrt(vector.squared_length()); }
   };
 
-  explicit Border_edges(const Indexed_surface& surface)
+  // `is_rim`: of each face, if there are rims
+  explicit Border_edges(const Indexed_surface& surface, const std::vector<bool>& is_rim = {})
   {
+    const auto ends = [&](Index face, Index neighbor)
+    { return neighbor == Indexed_surface::no_face() || (!is_rim.empty() && is_rim[neighbor] && !is_rim[face]); };
     for (Index f = 0; f < surface.number_of_faces(); ++f)
       for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
-        if (surface.neighbor(c) == Indexed_surface::no_face())
+        if (ends(f, surface.neighbor(c)))
         {
           const Index from = surface.vertex(c), to = surface.vertex(surface.next_corner(f, c));
           m_edges.push_back({f, from, to, surface.point(to) - surface.point(from)});

@@ -20,8 +20,9 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// A roof over an open surface that falls towards the border. Of a sheet only the outline shows what sticks out, of a scan from
-// one side much of it: at a concave corner of the border the roof has a valley, which is a seam from there into the sheet.
+// A roof over an open surface, or over both sides of a thin plate, that falls towards the outline. Of a sheet only that shows
+// what sticks out, of a scan from one side much of it: at a concave corner of the outline the roof has a valley, which is a seam
+// from there into the sheet.
 class Border_roof
 {
 public:

@@ -11,6 +11,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Border_edges.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Border_roof.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Plate_rims.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/average_normals.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 
@@ -59,7 +60,8 @@ inline double signed_volume(const Indexed_surface& surface, const Border_edges& 
 }
 
 // Finds the seams of a surface: an edge is concave if the averaged normals of its two faces lean towards each other, or if it lies
-// in a valley of the roof over an open surface, or between two patches. The sign of the volume decides which side is inside.
+// in a valley of the roof over an open surface or a thin plate, or between two patches. The sign of the volume decides which
+// side is inside.
 class Seam_finder
 {
 public:
@@ -76,9 +78,12 @@ public:
     const Border_edges border(m_surface);
     graph.outward = signed_volume(m_surface, border, m_execution.is_parallel()) < 0 ? -1 : 1;
     const Triples normals = average_normals(m_surface, graph, centre, m_execution);
-    Triples roof; // of an open surface
-    if (!border().empty())
-      roof = Border_roof(m_surface, border, m_execution)(graph, centre, normals);
+    const std::vector<bool> is_rim = Plate_rims(m_surface, m_execution)(graph, centre);
+    const Border_edges outline(m_surface, is_rim);
+    Triples roof; // of a surface that is open or has rims
+    if (!outline().empty())
+      roof = Border_roof(m_surface, outline, m_execution)(graph, centre, normals);
+    const auto has_roof = [&](Index f) { return !roof.empty() && (is_rim.empty() || !is_rim[f]); };
     graph.curvature.resize(graph.target.size());
     graph.capacity.resize(graph.target.size());
     graph.folded_length.resize(roof.empty() ? 0 : graph.target.size());
@@ -86,7 +91,8 @@ public:
                     [&](Index f)
                     {
                       for (Index arc : graph.arcs(f))
-                        weigh(graph, arc, curvature(graph, f, arc, normals), roof.empty() ? 0 : valley(graph, f, arc, roof));
+                        weigh(graph, arc, curvature(graph, f, arc, normals),
+                              has_roof(f) && has_roof(graph.target[arc]) ? valley(graph, f, arc, roof) : 0);
                     });
   }
 
