@@ -66,10 +66,20 @@ void walls_of_plates_are_rims()
     }
 }
 
+// A step across a sheet, which looks to one side only.
+Test_mesh cliff()
+{
+  Test_mesh mesh = sheet(40, 40);
+  for (Point& p : mesh.points)
+    p[2] = p[0] > 0.5 ? 0.08 : 0;
+  return mesh;
+}
+
 void what_is_no_plate_has_no_rim()
 {
   for (const Test_mesh& mesh : {box(12, 12, 12), icosphere(4), torus(), capsule(), dumbbell(), star(5), creature(),
-                                bumpy_sphere(4, 1), thickened(flat_square(24), 0.8), flat_star(5, 30), tetrahedron(), single_triangle()})
+                                bumpy_sphere(4, 1), thickened(flat_square(24), 0.8), flat_star(5, 30), cliff(), tetrahedron(),
+                                single_triangle()})
     CGAL_CHECK(rims(mesh).empty());
 }
 

@@ -44,17 +44,18 @@ private:
   // Over which normals are compared, in units of the square root of the area: with .2 fewer thin plates are right, with .1 none.
   static constexpr double radius = 0.15;
 
-  // The mean products of the coordinates of unit normals, which are the same for opposite normals.
-  struct Normal_tensors
+  // The mean unit normals, and the mean products of their coordinates, which are the same for opposite normals.
+  struct Normal_moments
   {
-    Triples squares, products; // xx, yy, zz and xy, yz, zx
+    Triples means, squares, products; // the latter xx, yy, zz and xy, yz, zx
 
-    explicit Normal_tensors(std::size_t size) : squares(size, {0, 0, 0}), products(size, {0, 0, 0}) {}
+    explicit Normal_moments(std::size_t size) : means(size, {0, 0, 0}), squares(means), products(means) {}
 
     void add(std::size_t i, const Triple& n, double weight)
     {
       for (std::size_t k = 0; k < 3; ++k)
       {
+        means[i][k] += static_cast<float>(weight * n[k]);
         squares[i][k] += static_cast<float>(weight * n[k] * n[k]);
         products[i][k] += static_cast<float>(weight * n[k] * n[(k + 1) % 3]);
       }
@@ -66,6 +67,10 @@ private:
       for (std::size_t k = 0; k < 3; ++k)
         sum += n[k] * (squares[i][k] * n[k] + 2 * products[i][k] * n[(k + 1) % 3]);
       return sum;
+    }
+    double squared_mean(std::size_t i) const
+    {
+      return CGAL::square(means[i][0]) + CGAL::square(means[i][1]) + CGAL::square(means[i][2]);
     }
     double trace(std::size_t i) const { return squares[i][0] + squares[i][1] + squares[i][2]; }
     double squared_norm(std::size_t i) const
@@ -82,28 +87,30 @@ private:
   rims(const Dual_graph& faces, const Dual_graph& graph, const Centres& centre, const std::vector<Index>* group) const
   {
     const auto node = [&](Index f) { return group ? (*group)[f] : f; };
-    Normal_tensors tensors(graph.number_of_nodes());
+    Normal_moments moments(graph.number_of_nodes());
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
       if (const double area = graph.area[node(f)]; area > 0)
-        tensors.add(node(f), normal(f), faces.area[f] / area);
+        moments.add(node(f), normal(f), faces.area[f] / area);
     Multilevel_diffusion average(radius, m_execution);
-    average(graph, centre, tensors.squares);
-    average(graph, centre, tensors.products);
+    average(graph, centre, moments.means);
+    average(graph, centre, moments.squares);
+    average(graph, centre, moments.products);
     std::vector<bool> result(m_surface.number_of_faces());
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-      result[f] = is_rim(tensors, node(f), normal(f));
+      result[f] = is_rim(moments, node(f), normal(f));
     if (std::find(result.begin(), result.end(), true) == result.end())
       result.clear();
     return result;
   }
 
-  // On an edge of a block half of the normals are along each of two directions, and the squared norm is half of the squared trace.
-  static bool is_rim(const Normal_tensors& tensors, Index i, const Triple& n)
+  // On an edge of a block half of the normals are along each of two directions, and the squared norm is half of the squared trace. In
+  // terrain nearly all normals are along the same direction, too, but not opposite to each other: their mean is long.
+  static bool is_rim(const Normal_moments& moments, Index i, const Triple& n)
   {
-    constexpr double largest_share_sideways = 0.4, least_squared_norm = 0.55;
-    const double trace = tensors.trace(i);
-    return tensors.along(i, n) < largest_share_sideways * trace &&
-           tensors.squared_norm(i) > least_squared_norm * CGAL::square(trace);
+    constexpr double largest_share_sideways = 0.4, least_squared_norm = 0.55, largest_squared_mean = 0.25;
+    const double trace = moments.trace(i);
+    return moments.along(i, n) < largest_share_sideways * trace &&
+           moments.squared_norm(i) > least_squared_norm * CGAL::square(trace) && moments.squared_mean(i) < largest_squared_mean;
   }
 
   Triple normal(Index f) const
