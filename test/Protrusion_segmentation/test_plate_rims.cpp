@@ -51,7 +51,7 @@ void walls_of_plates_are_rims()
 {
   for (const int cells : {24, 90})
     for (const auto& [plane, share] : {std::pair(flat_disk(cells), 1.), std::pair(flat_washer(cells), 1.),
-                                             std::pair(flat_square(cells), 1.), std::pair(flat_star(5, cells), 0.5)})
+                                       std::pair(flat_square(cells), 1.), std::pair(flat_star(5, cells), 0.5)})
     {
       const Test_mesh mesh = thickened(plane, 0.05);
       const std::ptrdiff_t walls = std::ptrdiff_t(mesh.faces.size() - 2 * plane.faces.size());

@@ -29,8 +29,8 @@ the distances from protrusion tips, and regions that are better connected inside
 the fin of a fish. A candidate is replaced by the minimum cut in a band around it if that is better. Clues give the evidence
 for a cut: the share of its length in a concave seam, its length, how suddenly the surface widens behind it, and others.
 The evidence and the areas of both sides give the value of the cut. A beam search chooses the cuts: it keeps the best sets of
-cuts, adds the best further cuts to each, or several sure ones at once, and takes the set with the largest sum of values. In the end, the borders between
-neighboring segments become minimum cuts on the faces.
+cuts, adds the best further cuts to each, or several sure ones at once, and takes the set with the largest sum of values. In
+the end, the borders between neighboring segments become minimum cuts on the faces.
 
 If no number of segments is given, segmentation stops at the largest drop in the gain of a further cut. Hills, scales and
 pockets, which face in one direction as a whole, hardly count. A surface is one segment if none of the cuts is distinct: if it
