@@ -66,12 +66,13 @@ void walls_of_plates_are_rims()
     }
 }
 
-// A step across a sheet, which looks to one side only.
+// A step across a sheet, a twentieth as high as that is wide, which looks to one side only.
 Test_mesh cliff()
 {
-  Test_mesh mesh = sheet(40, 40);
+  constexpr std::size_t cells = 80;
+  Test_mesh mesh = sheet(cells, cells);
   for (Point& p : mesh.points)
-    p[2] = p[0] > 0.5 ? 0.08 : 0;
+    p[2] = p[0] > cells / 2. ? cells / 20. : 0;
   return mesh;
 }
 
