@@ -74,8 +74,10 @@ void print_summary(const tool::Command_line& command_line, const tool::Findings&
     std::cout << "wrote " << name
               << (tool::is_pattern(name)
                     ? " (" + std::to_string(files) + (files == 1 ? " file)" : " files)")
-                    : "")
-              << "\n";
+                    : "");
+    if (const std::string companion = tool::companion_of(name, command_line.options.formats); !companion.empty())
+      std::cout << " and " << companion;
+    std::cout << "\n";
   }
   for (const std::string& name : others)
     if (!name.empty())

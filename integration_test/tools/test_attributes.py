@@ -97,6 +97,16 @@ def test_texture_and_normals_from_obj_to_obj(segment, textured, tmp_path):
     assert after.files == ["b.mtl"] and after.materials == after.groups
 
 
+def test_material_library_of_the_input_is_kept(segment, textured, tmp_path):
+    library = tmp_path / "of_artist.mtl"
+    library.write_text("newmtl fur\nnewmtl leather\n")
+    for name in ("of_artist.obj", "parts/../of_artist.obj"):
+        (tmp_path / "parts").mkdir(exist_ok=True)
+        segment.refuses(textured, "-k", 5, "-o", name, "-o", "c.seg", message="of_artist.mtl: is a material library of the input")
+    assert library.read_text() == "newmtl fur\nnewmtl leather\n" and not (tmp_path / "c.seg").exists()
+    assert "wrote b.obj and b.mtl\n" in segment(textured, *"-k 5 -o b.obj".split()).out
+
+
 def test_materials_from_obj_to_obj(segment, textured, tmp_path):
     segment(textured, *"-k 5 --colors input -o a.seg -o b.obj -o parts/%d.obj".split())
     before, after = ObjFile(textured), ObjFile(tmp_path / "b.obj")

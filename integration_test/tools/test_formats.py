@@ -10,6 +10,7 @@ import pytest
 
 from mesh_files import OffFile, labels
 from records import read_record
+from tool import names_in
 
 TETRAHEDRA = ["tetrahedron.off", "tetrahedron.obj", "tetrahedron.ply", "tetrahedron.stl",
               "tetrahedron_binary.stl", "tetrahedron.ts", "tetrahedron.off.gz", "no_keyword.off",
@@ -193,6 +194,23 @@ def test_vtp(segment, data, tmp_path, libraries):
     assert "turned over" not in segment(mesh, "-o", "a.off").err
     assert len(OffFile(tmp_path / "a.off").faces) == 4
     assert len(segment("-", *"-k 2 -o -".split(), input=mesh.read_bytes()).out.splitlines()) == 4
+
+
+@pytest.mark.parametrize("array", ["CellData", "PointData"])
+@pytest.mark.parametrize("values", ["0 0 1", "0 0 1 x", ""])
+def test_vtp_with_a_short_array(segment, tmp_path, libraries, array, values):
+    if "vtk" not in libraries:
+        pytest.skip("VTK was not found")
+    (tmp_path / "a.vtp").write_text(
+        '<VTKFile type="PolyData" version="0.1"><PolyData>'
+        '<Piece NumberOfPoints="4" NumberOfVerts="0" NumberOfLines="0" NumberOfStrips="0" NumberOfPolys="4">'
+        f'<{array}><DataArray type="Int32" Name="segment" format="ascii">{values}</DataArray></{array}>'
+        '<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points>'
+        '<Polys><DataArray type="Int32" Name="connectivity" format="ascii">0 2 1 0 1 3 1 2 3 0 3 2</DataArray>'
+        '<DataArray type="Int32" Name="offsets" format="ascii">3 6 9 12</DataArray></Polys>'
+        '</Piece></PolyData></VTKFile>')
+    segment.refuses("a.vtp", "-o", "a.seg", message="is not a well-formed VTP file")
+    assert names_in(tmp_path) == ["a.vtp"]
 
 
 def test_vtp_is_read_as_it_was_written(segment, teddy, tmp_path, libraries):

@@ -221,3 +221,14 @@ def test_meshio(outputs, mesh):
     for extension in ("obj", "stl"):
         read = meshio.read(outputs / f"a.{extension}")
         assert sum(len(block.data) for block in read.cells) == len(mesh.faces), extension
+
+
+def test_stl_far_from_the_origin(segment, teddy, tmp_path):
+    """Sides of faces that single precision loses are told."""
+    mesh = OffFile(teddy)
+    OffFile.of(mesh.points + 1e7, mesh.faces).write(tmp_path / "far.off")
+    note = "STL has single precision"
+    assert note in segment("far.off", *"-k 3 -o a.stl".split()).err
+    assert note in segment("far.off", *"-k 3 -o parts/%d.stl --close".split()).err
+    assert note not in segment("far.off", *"-k 3 -o a.ply".split()).err
+    assert note not in segment(teddy, *"-k 3 -o b.stl".split()).err

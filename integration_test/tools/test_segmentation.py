@@ -3,9 +3,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Numbers of segments, distances, and that two calls do the same."""
 
+import math
+
 import pytest
 
-from mesh_files import labels
+from mesh_files import OffFile, labels
 from tool import names_in
 
 
@@ -94,6 +96,30 @@ def test_no_protrusion(segment, tetrahedron):
     note = "found no protrusion"
     assert note in segment(tetrahedron).err
     assert segment.record(tetrahedron)["note"].startswith(note)
+
+
+def write_ball(path, rings=30):
+    around = 2 * rings
+    points = [(0, 0, 1), (0, 0, -1)]
+    for ring in range(1, rings):
+        polar = math.pi * ring / rings
+        points += [(math.sin(polar) * math.cos(2 * math.pi * i / around),
+                    math.sin(polar) * math.sin(2 * math.pi * i / around), math.cos(polar)) for i in range(around)]
+    faces = []
+    for i in range(around):
+        rows = [[2 + ring * around + (i + step) % around for ring in range(rings - 1)] for step in (0, 1)]
+        faces += [(0, rows[0][0], rows[1][0]), (1, rows[1][-1], rows[0][-1])]
+        faces += [(rows[0][ring], rows[0][ring + 1], rows[1][ring + 1], rows[1][ring]) for ring in range(rings - 2)]
+    OffFile.of(points, faces).write(path)
+
+
+def test_more_segments_than_the_shape_shows(segment, teddy, tmp_path):
+    note = "cut off where the shape shows no border"
+    write_ball(tmp_path / "ball.off")
+    assert "found no protrusion" in segment("ball.off").err
+    assert note not in segment(teddy, "-k", 3).err
+    assert f"2 segments were {note}" in segment("ball.off", "-k", 3).err
+    assert f"1 segment was {note}" in segment.record("ball.off", "-k", 2)["note"]
 
 
 @pytest.mark.parametrize("unit, area", [("e100", 6e200), ("e-100", 6e-200)])

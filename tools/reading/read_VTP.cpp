@@ -147,9 +147,12 @@ protected:
       vtkErrorMacro("announces " << number << " values");
     else if (!static_cast<Parser*>(XMLParser)->can_read(element, number == 0))
       vtkErrorMacro("has a compressed array whose blocks do not fit together");
-    else
-      return vtkXMLPolyDataReader::ReadArrayValues(element, first, array, first_of_array, number, type);
-    return 0;
+    else if (vtkXMLPolyDataReader::ReadArrayValues(element, first, array, first_of_array, number, type) != 0)
+      return 1;
+    else if (Error_log::error().empty())
+      vtkErrorMacro("has a data array that is too short");
+    // VTK tells the name of the cell data, which has none: the error that is logged is enough, no value is used
+    return type == CELL_DATA ? 1 : 0;
   }
 };
 vtkStandardNewMacro(Reader)

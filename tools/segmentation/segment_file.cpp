@@ -47,6 +47,18 @@ std::string note_on_number(const Segmentation_options& options, const Segmentati
   return note.str();
 }
 
+// The last segments of a large number are cut off where nothing is.
+std::string note_on_guessed_borders(const Segmentation_options& options, const Segmentation& segmentation)
+{
+  const auto& protrusions = segmentation.record.protrusions();
+  const auto number = std::count_if(protrusions.begin(), protrusions.end(),
+                                    [](const Protrusion& protrusion) { return protrusion.value < 0; });
+  if (number == 0 || !options.number_of_segments)
+    return "";
+  return std::to_string(number) + (number == 1 ? " segment was" : " segments were") +
+         " cut off where the shape shows no border, to reach the number asked for";
+}
+
 void warn_of_time(const Findings& findings, const Warn& warn)
 {
   const std::size_t faces = findings.mesh.mesh.number_of_faces();
@@ -163,6 +175,7 @@ Findings segment_file(const std::string& input,
   }
   for (const std::string& note :
        {describe_repairs(findings.mesh), note_on_small_components(findings), note_on_pieces(findings), note_on_number(options, findings.segmentation),
+        note_on_guessed_borders(options, findings.segmentation),
         note_on_tips(findings), note_on_borders(findings)})
     findings.add_note(note);
   return findings;

@@ -4,6 +4,7 @@
 
 #include "segmentation/write_findings.h"
 
+#include "command_line/Error.h"
 #include "reading/lower_case_extension.h"
 #include "report/report.h"
 #include "segmentation/make_closed_parts.h"
@@ -77,6 +78,16 @@ bool is_closed(const std::string& name, const Output_names& names, const Finding
   return names.caps != Caps::NONE && (holds_parts(name) || !part_names(name, names, findings).empty());
 }
 
+// No material library of the input may be lost, which its name does not tell.
+void check_companions(const std::vector<std::string>& outputs, const Findings& findings)
+{
+  for (const std::string& name : outputs)
+    if (const std::string companion = companion_of(name, findings.options.formats); !companion.empty())
+      for (const std::string& library : findings.mesh.soup.attributes.material_files)
+        if (place_of_file(companion) == place_of_file(library))
+          throw Error(companion, "is a material library of the input; '" + name + "' would replace it");
+}
+
 } // namespace
 
 Caps caps_of_name(const std::string& name)
@@ -100,6 +111,7 @@ void check_can_be_written(const Output_names& names, const Format_options& optio
 
 void write_findings(Findings& findings, const Output_names& names, const Recorder::Progress& progress)
 {
+  check_companions(names.segments, findings);
   const Clock::time_point start = Clock::now();
   std::size_t number_of_begun = 0;
   const auto begin = [&](const std::string& name)
@@ -116,6 +128,7 @@ void write_findings(Findings& findings, const Output_names& names, const Recorde
     findings.names};
   if (names.caps == Caps::FLAT || names.caps == Caps::FAIRED)
     findings.add_note(note_on_boundary(findings.mesh.mesh));
+  findings.add_note(note_on_single_precision(names.segments, segmented.soup));
   const bool has_parts = std::any_of(names.segments.begin(), names.segments.end(),
                                      [&](const std::string& name)
                                      { return is_closed(name, names, findings); });

@@ -129,6 +129,25 @@ std::string companion_of(const std::string& name, const Format_options& options)
            : "";
 }
 
+std::string note_on_single_precision(const std::vector<std::string>& names, const Polygon_soup& soup)
+{
+  if (std::none_of(names.begin(), names.end(), [](const std::string& name) { return find_format(name)->is_in_single_precision; }))
+    return "";
+  const auto is_lost = [&](std::size_t i, std::size_t j)
+  {
+    const Point &a = soup.points[i], &b = soup.points[j];
+    const auto is_equal = [&](int c) { return static_cast<float>(a[c]) == static_cast<float>(b[c]); };
+    return a != b && is_equal(0) && is_equal(1) && is_equal(2);
+  };
+  std::size_t number = 0;
+  for (const Corners& polygon : soup.polygons)
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+      number += is_lost(polygon[i], polygon[(i + 1) % polygon.size()]) ? 1 : 0;
+  return number == 0 ? "" : "STL has single precision, in which " + std::to_string(number) +
+                              (number == 1 ? " side of a face has" : " sides of faces have") +
+                              " no length: move the mesh to the origin, or choose another format";
+}
+
 void check_output_format(const std::string& format)
 {
   if (!find_format("mesh." + format))

@@ -32,6 +32,9 @@ bool holds_parts(const std::string& name);
 // The file that is written beside one of this name; empty if there is none.
 std::string companion_of(const std::string& name, const Format_options& options);
 
+// Empty, or how many edges have equal ends in the single precision of a format among the outputs: far from the origin.
+std::string note_on_single_precision(const std::vector<std::string>& names, const Polygon_soup& soup);
+
 // Throws std::invalid_argument if this is none of them, without its point.
 void check_output_format(const std::string& format);
 
