@@ -107,6 +107,18 @@ def test_material_library_of_the_input_is_kept(segment, textured, tmp_path):
     assert "wrote b.obj and b.mtl\n" in segment(textured, *"-k 5 -o b.obj".split()).out
 
 
+def test_closed_parts_replace_no_material_library(segment, textured, tmp_path):
+    """In a collection they are a folder, without a library beside it."""
+    (tmp_path / "out").mkdir()
+    library = tmp_path / "out/a.mtl"
+    library.write_text("newmtl fur\nnewmtl leather\n")
+    textured.write_text(textured.read_text().replace("mtllib of_artist.mtl", "mtllib out/a.mtl"))
+    collection = f"{textured.name} -k 5 --output-folder out --format obj".split()
+    assert "is a material library of the input" in segment.run(*collection).err
+    segment(*collection, "--close")
+    assert library.read_text() == "newmtl fur\nnewmtl leather\n"
+
+
 def test_materials_from_obj_to_obj(segment, textured, tmp_path):
     segment(textured, *"-k 5 --colors input -o a.seg -o b.obj -o parts/%d.obj".split())
     before, after = ObjFile(textured), ObjFile(tmp_path / "b.obj")

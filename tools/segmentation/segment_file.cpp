@@ -174,8 +174,8 @@ Findings segment_file(const std::string& input,
     smooth(findings);
   }
   for (const std::string& note :
-       {describe_repairs(findings.mesh), note_on_small_components(findings), note_on_pieces(findings), note_on_number(options, findings.segmentation),
-        note_on_guessed_borders(options, findings.segmentation),
+       {describe_repairs(findings.mesh), note_on_small_components(findings), note_on_pieces(findings),
+        note_on_number(options, findings.segmentation), note_on_guessed_borders(options, findings.segmentation),
         note_on_tips(findings), note_on_borders(findings)})
     findings.add_note(note);
   return findings;

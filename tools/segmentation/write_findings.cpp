@@ -79,10 +79,11 @@ bool is_closed(const std::string& name, const Output_names& names, const Finding
 }
 
 // No material library of the input may be lost, which its name does not tell.
-void check_companions(const std::vector<std::string>& outputs, const Findings& findings)
+void check_companions(const Output_names& names, const Findings& findings)
 {
-  for (const std::string& name : outputs)
-    if (const std::string companion = companion_of(name, findings.options.formats); !companion.empty())
+  for (const std::string& name : names.segments)
+    if (const std::string companion = companion_of(name, findings.options.formats);
+        !companion.empty() && part_names(name, names, findings).empty()) // parts have none
       for (const std::string& library : findings.mesh.soup.attributes.material_files)
         if (place_of_file(companion) == place_of_file(library))
           throw Error(companion, "is a material library of the input; '" + name + "' would replace it");
@@ -111,7 +112,7 @@ void check_can_be_written(const Output_names& names, const Format_options& optio
 
 void write_findings(Findings& findings, const Output_names& names, const Recorder::Progress& progress)
 {
-  check_companions(names.segments, findings);
+  check_companions(names, findings);
   const Clock::time_point start = Clock::now();
   std::size_t number_of_begun = 0;
   const auto begin = [&](const std::string& name)
