@@ -9,6 +9,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Sure_cuts.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/like_parts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/number_of_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
@@ -115,7 +116,7 @@ private:
     }
     make_sure_cuts();
     for (const Cut_set& set : m_of_sure_cuts[m_best.size() + 1])
-      add_if_new(next, set);
+      add(next, set);
     std::stable_sort(next.begin(), next.end(), [](const Cut_set& a, const Cut_set& b) { return a.value > b.value; });
     next.resize((std::min)(next.size(), m_options.number_of_sets));
     if (next.empty() || next.front().value <= least)
@@ -131,6 +132,8 @@ private:
     for (Index id : ids)
       segments.push_back(&m_memo[id].segment);
     std::vector<std::vector<Cut>> cuts = m_search(segments);
+    if (m_best.size() == 1 && m_options.sure_log_odds < infinity)
+      find_like_parts(m_options, cuts.front());
     for (std::size_t i = 0; i < ids.size(); ++i)
       m_memo.set_cuts(ids[i], std::move(cuts[i]));
   }
@@ -145,10 +148,15 @@ private:
             m_of_sure_cuts[further.segments.size()].push_back(std::move(further));
   }
 
-  static void add_if_new(std::vector<Cut_set>& sets, Cut_set set)
+  // Of sets of the same segments the one is kept that is worth most.
+  static void add(std::vector<Cut_set>& sets, Cut_set set)
   {
-    if (std::none_of(sets.begin(), sets.end(), [&](const Cut_set& other) { return other.segments == set.segments; }))
+    const auto same =
+      std::find_if(sets.begin(), sets.end(), [&](const Cut_set& other) { return other.segments == set.segments; });
+    if (same == sets.end())
       sets.push_back(std::move(set));
+    else if (set.value > same->value)
+      *same = std::move(set);
   }
 
   // The best different sets of one cut more, as far as segments have been searched.
@@ -165,7 +173,7 @@ private:
     for (std::size_t i = 0; i < choices.size() && sets.size() < m_options.number_of_sets; ++i)
     {
       const auto& [before, segment, cut, gain] = choices[i];
-      add_if_new(sets, before->with(m_memo.made_cut(segment, m_memo[segment].cuts[cut], gain)));
+      add(sets, before->with(m_memo.made_cut(segment, m_memo[segment].cuts[cut], gain)));
     }
     return sets;
   }

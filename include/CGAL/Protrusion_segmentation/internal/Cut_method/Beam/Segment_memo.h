@@ -50,13 +50,13 @@ struct Cut_set
     return result;
   }
 
-  // What a cut would add to the value: its own, with larger odds if a part like that one has been cut off before.
+  // What a cut would add to the value: its own, with larger odds if there is a part like that one, cut off before or not.
   double gain(const Cut& cut, const Cut_weights& weights) const
   {
     double least = std::numeric_limits<double>::infinity();
     for (const Made_cut& made : cuts)
       least = (std::min)(least, squared_difference(made.size, cut.size));
-    return value_of_cut(cut.log_odds + weights.of_like_part(least), cut.root_of_areas);
+    return value_of_cut(cut.log_odds + (std::max)(cut.like_part, weights.of_like_part(least)), cut.root_of_areas);
   }
 
   Cut_set with(const Made_cut& cut) const

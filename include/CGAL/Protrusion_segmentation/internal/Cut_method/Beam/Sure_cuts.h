@@ -17,8 +17,9 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// Makes several cuts of a segment at once: those that are sure, and whose inner sides have nothing in common. One at a time, the
-// arms of a star would each be worth less than a cut through its core, which parts half of the star from the other half.
+// Makes several cuts of a segment at once: those that are sure or whose parts are like others, and whose inner sides have
+// nothing in common. One at a time, the arms of a star would each be worth less than a cut through its core, which parts half
+// of the star from the other half.
 class Sure_cuts
 {
 public:
@@ -53,7 +54,7 @@ private:
     constexpr double most_neighbors = 0.4; // earlier borders half as long as the cut
     Cuts sure;
     for (const Cut& cut : m_memo[segment].cuts)
-      if (cut.log_odds >= m_options.sure_log_odds && cut.clues.neighbors <= most_neighbors)
+      if ((cut.log_odds >= m_options.sure_log_odds || cut.like_part > 0) && cut.clues.neighbors <= most_neighbors)
         sure.push_back(&cut);
     std::stable_sort(sure.begin(), sure.end(), [](const Cut* a, const Cut* b) { return a->log_odds > b->log_odds; });
     Cuts result;

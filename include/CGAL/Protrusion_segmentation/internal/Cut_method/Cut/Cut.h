@@ -42,6 +42,7 @@ struct Cut
   Cut_clues clues = {};
   Size_of_part size = {};   // of the inner side
   double log_odds = 0;      // of the sides belonging apart, by the clues alone
+  double like_part = 0;     // what a part like this one, elsewhere in the segment, adds to these
   double value = 0;         // higher is better, below 0 it separates what belongs together
   double probability = 0;   // that people put the sides into different segments
 };

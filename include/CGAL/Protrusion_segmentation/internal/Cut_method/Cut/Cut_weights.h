@@ -73,6 +73,12 @@ struct Cut_weights
            pocket * clues.pocket + several_loops * clues.several_loops + flatness * (std::max)(0., clues.flatness - least_flatness);
   }
 
+  // Whether parts that differ by that much are alike.
+  bool is_like(double squared_difference) const
+  {
+    return squared_difference < deviation_of_like_part * deviation_of_like_part;
+  }
+
   // What a part says that differs by that much from the most similar one that has been cut off before.
   double of_like_part(double squared_difference) const
   {

@@ -36,6 +36,14 @@ inline Nodes other_side(const Segment& segment, const Nodes& side)
   return result;
 }
 
+inline bool are_disjoint(const Nodes& a, const Nodes& b)
+{
+  auto i = a.begin(), j = b.begin();
+  while (i != a.end() && j != b.end() && *i != *j)
+    ++(*i < *j ? i : j);
+  return i == a.end() || j == b.end();
+}
+
 // A graph divided into segments, one of which is selected and divided in two sides by a cut: its inner side is marked. All
 // work arrays are kept, so that an operation costs no more than the nodes it visits.
 class Graph_partition
