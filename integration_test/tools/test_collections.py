@@ -207,7 +207,7 @@ def test_closed_parts_and_pages(segment, example_meshes, tmp_path, libraries):
     ("--close", "--close has no meaning without"),
     ("--close --format seg", "--close has no meaning without"),
     ("--report a.html", "--format html writes a page for each mesh"),
-    ("--format txt", "'txt' is none of"),
+    ("--format txt", "'txt' is none of html, .seg, "),
 ])
 def test_wrong_formats(segment, meshes, options, message):
     segment.refuses("meshes", "--output-folder", "out", *options.split(), code=2, message=message)

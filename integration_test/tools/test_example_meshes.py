@@ -45,6 +45,16 @@ def test_formats(make_mesh, segment, tmp_path, extension):
                       message=f"full.{extension}: cannot be written")
 
 
+@pytest.mark.parametrize("options", [[], ["--faces", 4000], ["--faces", 8000]])
+def test_no_arm_has_the_underside_of_the_body(make_mesh, segment, options):
+    make_mesh("octopus", "a.off", *options)
+    areas = sorted(measure["area"] for measure in segment.record("a.off")["measures"])
+    assert len(areas) == 10
+    body, *arms, head = [area / sum(areas) for area in areas]
+    assert 0.035 < body < 0.07 < min(arms) and max(arms) < 0.105
+    assert head > 0.2
+
+
 @pytest.mark.parametrize("shape, number, children", [
     ("octopus", 9, [8]),  # no arm sticks out of another one, though they touch
     ("teddy", 8, [2, 5]),  # the ears stick out of the head

@@ -41,6 +41,8 @@ def test_unknown_keyword_of_off(segment, tetrahedron, tmp_path, keyword):
     ("utf_16.off", "UTF-16"),
     ("range_grid.ply", "range grid"),
     ("fewer_numbers_than_in_header.ply", "line 11: has fewer numbers than the header says"),
+    ("more_faces_than_announced.off", "line 11: goes on behind the 4 vertices and 4 faces that it announces: '3 0 1 2'"),
+    ("more_faces_than_announced.ply", "line 18: goes on behind what the header announces"),
     ("git_lfs_pointer.stl", "is a pointer of Git LFS"),
     ("no_such_file.off", "no_such_file.off: "),
 ])

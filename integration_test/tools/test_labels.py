@@ -53,8 +53,9 @@ def test_labels_of_the_mesh_itself(segment, tmp_path, found):
 
 def test_segments_are_in_the_order_of_the_labels(segment, teddy, tmp_path, found):
     (tmp_path / "gaps.seg").write_text("".join(f"{10 * i + 3}\n" for i in labels(tmp_path / "a.seg")))
-    segment(teddy, "--labels", "gaps.seg", "-o", "b.seg")
+    record = segment.record(teddy, "--labels", "gaps.seg", "-o", "b.seg")
     assert labels(tmp_path / "b.seg") == labels(tmp_path / "a.seg")
+    assert record["note"] == "the labels of the file, up to 73, are numbered from 0 to 7 in their order"
 
 
 def test_all_outputs_of_other_peoples_segments(segment, teddy, tmp_path, libraries):
@@ -96,6 +97,10 @@ def test_arrays_that_are_no_labels(segment, teddy, tmp_path, found, array, messa
     segment.refuses(teddy, "--labels", "a.npy", message=message)
 
 
+def test_the_record_is_no_file_of_labels(segment, teddy, found):
+    segment.refuses(teddy, "--labels", "a.json", message="a.json: is a record as of --json, which has no labels")
+
+
 def test_mesh_without_labels(segment, make_mesh, tmp_path):
     make_mesh("hand", "hand.ply", "--faces", 1000)
     segment.refuses("hand.ply", "--labels", "hand.ply", message="no data named segment or label")
@@ -115,6 +120,13 @@ def test_names(segment, teddy, tmp_path, found):
     assert [m["name"] for m in record["measures"]] == [None, "the head", *[None] * 4, "ear", "ear"]
     assert {"g the_head", "g ear", "g ear_7", "g segment_0"} <= set((tmp_path / "a.obj").read_text().splitlines())
     assert b'"the head"' in (tmp_path / "a.glb").read_bytes()
+
+
+def test_two_names_of_one_segment(segment, teddy, tmp_path, found):
+    write_names(tmp_path / "n.json", *({"segment": 1, "name": name} for name in ["top", "head", "head"]))
+    record = segment.record(teddy, *"--labels a.seg --names n.json -o a.obj".split())
+    assert record["measures"][1]["name"] == "head"
+    assert record["note"] == "segment 1 has two names; top is not used"
 
 
 def test_names_cannot_leave_the_folder(segment, teddy, tmp_path, found):

@@ -111,6 +111,12 @@ def test_message_on_a_number_of_segments_is_short(segment, teddy, options, messa
     ("--seed 4294967296", "'4294967296' is no seed, an integer from 0 to 4294967295"),
     ("--threads 5000000", "'5000000' is no number of threads, an integer from 1 to 1024"),
     ("--distance heat --time 1", "--time has no meaning with heat, only with diffusion"),
+    ("--join-pieces=0", "'0' is no distance above 0"),
+    ("-o a.ply --one-object", "--one-object has no meaning without an output in glTF"),
+    ("--rig a.glb --one-object", "--one-object has no meaning without an output in glTF"),
+    ("-o a.seg --up z", "--up has no meaning without an output in glTF or USD"),
+    ("-o a.ply --array-name Label", "--array-name has no meaning without an output in VTP"),
+    ("-o a.stl --colors input", "--colors has no meaning without an output in PLY, OBJ or glTF"),
     ("--close %d.off", "'%d.off' is no mesh; an output is named by -o"),
     ("--close faired -o %d.off", "'faired' is no mesh; caps are chosen by --close=faired"),
 ])

@@ -95,6 +95,7 @@ def test_full_disc(segment, teddy, tmp_path, earlier_output):
 def test_full_standard_output(segment, tetrahedron):
     with open("/dev/full", "w", encoding="ascii") as full:
         assert segment.run(tetrahedron, stdout=full).code != 0
+        assert segment.run("--help", stdout=full).code == 1
 
 
 @pytest.fixture

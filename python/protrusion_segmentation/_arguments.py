@@ -31,8 +31,8 @@ def _points(vertices: npt.ArrayLike) -> npt.NDArray[np.float64]:
     _check_no_mask("vertices", vertices)
     try:
         points = np.asarray(vertices)
-        if points.dtype.kind == "c":
-            raise ValueError("coordinates are complex numbers")
+        if points.dtype.kind not in "fiuO":
+            raise ValueError(f"coordinates are no real numbers, but of type {points.dtype}")
         points = np.ascontiguousarray(points, dtype=np.float64)
     except (TypeError, ValueError) as error:
         raise ValueError(f"vertices: {error}") from None
@@ -65,14 +65,24 @@ def _corners_and_sizes(faces: Faces) -> Tuple[Labels, Labels]:
 def _check_layout(faces: npt.NDArray[Any]) -> None:
     """Other layouts of triangles, named as such: what they would mean here makes no sense."""
     rows = faces.reshape(-1, 4) if faces.ndim == 1 and faces.size % 4 == 0 else faces
-    if rows.ndim == 2 and rows.shape[0] > 1 and (rows[:, :1] == rows.shape[1] - 1).all() and rows.shape[1] > 3:
+    if rows.ndim == 2 and rows.shape[1] > 3 and _begin_with_size(rows):
         raise ValueError(
             f"faces: in VTK's layout, with the number of corners, {rows.shape[1] - 1}, before each face; "
             f"faces.reshape(-1, {rows.shape[1]})[:, 1:] are the corners"
         )
     if faces.ndim == 2 and faces.shape[0] == 3 and faces.shape[1] > 3:
-        if any(np.unique(row).size < row.size for row in faces):
+        if any(_repeats(row) for row in faces) and not any(_repeats(column) for column in faces.T):
             raise ValueError(f"faces: the shape is {faces.shape}, not (m, 3); faces.T has it")
+
+
+def _begin_with_size(rows: npt.NDArray[Any]) -> bool:
+    """Whether each row is a number of corners and as many corners. Polygons around one vertex have that once each."""
+    size = rows.shape[1] - 1
+    return bool(rows.shape[0] > 1 and (rows[:, 0] == size).all() and (rows[:, 1:] == size).any())
+
+
+def _repeats(row: npt.NDArray[Any]) -> bool:
+    return np.unique(row).size < row.size
 
 
 def _check_no_mask(name: str, values: Any) -> None:

@@ -27,10 +27,9 @@ def read_seg(path: Path) -> Labels:
         lines.pop()
     labels = []
     for number, line in enumerate(lines, start=1):
-        try:
-            labels.append(int(line))
-        except ValueError:
-            raise ValueError(f"{os.fspath(path)}: line {number} is no integer, but {line[:30]!r}") from None
+        if not line.strip().isdecimal():
+            raise ValueError(f"{os.fspath(path)}: line {number} is no integer from 0, but {line[:30]!r}")
+        labels.append(int(line))
     return np.array(labels, dtype=np.int64)
 
 
@@ -40,8 +39,10 @@ def write_seg(path: Path, labels: npt.ArrayLike) -> None:
     Parameters
     ----------
     path : the name of the file
-    labels : (m,) array of integers
+    labels : (m,) array of integers from 0
     """
     numbers = integers("labels", labels)
+    if (numbers < 0).any():
+        raise ValueError(f"labels: {numbers.min()} is no label, an integer from 0")
     with open(path, "w", encoding="ascii", newline="\n") as file:
         file.writelines(f"{label}\n" for label in numbers.tolist())

@@ -81,11 +81,14 @@ def test_files_of_labels(tmp_path):
     assert (ps.read_seg(str(path)) == LABELS).all()
     path.write_bytes(b"3\r\n 4 \r\n\r\n")
     assert ps.read_seg(path).tolist() == [3, 4]
-    path.write_text("3\nfour\n")
-    with pytest.raises(ValueError, match="mesh.seg: line 2 is no integer, but 'four'$"):
-        ps.read_seg(path)
+    for word in ["four", "-1", "1_0"]:
+        path.write_text(f"3\n{word}\n")
+        with pytest.raises(ValueError, match=f"mesh.seg: line 2 is no integer from 0, but '{word}'$"):
+            ps.read_seg(path)
     with pytest.raises(ValueError, match="^labels: not all"):
         ps.write_seg(path, [0.5])
+    with pytest.raises(ValueError, match="^labels: -1 is no label"):
+        ps.write_seg(path, [0, -1])
     with pytest.raises(FileNotFoundError):
         ps.read_seg(tmp_path / "none.seg")
 

@@ -116,6 +116,15 @@ def test_an_array_of_quadrangles():
     assert (ps.segment(cube, faces, 1) == 0).all()
 
 
+def test_quadrangles_that_look_like_another_layout():
+    around_vertex_3 = [[3, 0, 4, 1], [3, 1, 5, 2], [3, 2, 6, 0]]
+    collapsed = [[0, 1, 2, 2], [0, 2, 3, 3], [0, 3, 1, 1]]
+    corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 2], [2, 1, 1], [1, 2, 1]], float)
+    for faces in (around_vertex_3, collapsed):
+        for values in (faces, np.array(faces)):
+            assert (ps.segment(corners, values, 1) == 0).all()
+
+
 def test_labels_follow_the_order_of_the_faces():
     order = np.random.default_rng(1).permutation(len(TRIANGLES))
     assert (ps.segment(POINTS, TRIANGLES[order], 7) == ps.segment(POINTS, TRIANGLES, 7)[order]).all()

@@ -40,6 +40,31 @@ void borders_on_faces_keep_the_segments_connected(const Test_mesh& mesh, std::si
   }
 }
 
+double area_of(const Seam_graph& graph, const std::vector<Index>& labels, Index segment)
+{
+  double area = 0;
+  for (Index f = 0; f < graph.number_of_nodes(); ++f)
+    area += labels[f] == segment ? graph.area[f] : 0;
+  return area;
+}
+
+// Two squares joined by a narrow bridge, in a sheet: the shortest border goes around each of them, but then one square would go
+// to the other segment.
+void a_segment_does_not_lose_a_half_that_hangs_on_a_bridge()
+{
+  constexpr std::size_t columns = 26, rows = 14;
+  const Seam_graph graph = seam_graph(sheet(columns, rows, columns, rows));
+  const auto is_between = [](std::size_t x, std::size_t first, std::size_t last) { return first <= x && x <= last; };
+  std::vector<Index> labels;
+  for (std::size_t y = 0; y < rows; ++y)
+    for (std::size_t x = 0; x < columns; ++x)
+      labels.push_back(is_between(y, 2, 11) && is_between(x, 1, 24) && (x < 11 || x > 14 || y == 6) ? 1 : 0);
+  check_segments(graph, labels, 2);
+  const std::vector<Index> moved = internal::Face_borders(graph, labels, 2)(internal::band_of_clusters, quiet_execution());
+  check_segments(graph, moved, 2);
+  CGAL_CHECK(area_of(graph, moved, 1) > 0.75 * area_of(graph, labels, 1));
+}
+
 // Segments of the faces that are nearest to each of some faces.
 void random_segments_stay_connected(std::uint_fast32_t seed)
 {
@@ -74,5 +99,6 @@ int main()
     borders_on_faces_keep_the_segments_connected(mesh, 10);
   for (std::uint_fast32_t seed = 0; seed < 100; ++seed)
     random_segments_stay_connected(seed);
+  a_segment_does_not_lose_a_half_that_hangs_on_a_bridge();
   return check::result();
 }

@@ -114,6 +114,21 @@ void one_segment_is_selected()
   CGAL_CHECK(partition.marked(all).empty() && partition.is_outer(0) && !partition.is_selected(40));
 }
 
+void disjoint_nodes_beside_brute_force()
+{
+  Random random(7);
+  for (int i = 0; i < 2000; ++i)
+  {
+    std::set<Index> a, b;
+    for (std::size_t n = random.index(6); n > 0; --n)
+      a.insert(Index(random.index(20)));
+    for (std::size_t n = random.index(6); n > 0; --n)
+      b.insert(Index(random.index(20)));
+    const bool expected = std::none_of(a.begin(), a.end(), [&](auto x) { return b.count(x) > 0; });
+    CGAL_CHECK_EQUAL(internal::are_disjoint(Nodes(a.begin(), a.end()), Nodes(b.begin(), b.end())), expected);
+  }
+}
+
 int main()
 {
   for (unsigned int seed = 0; seed < 60; ++seed)
@@ -123,5 +138,6 @@ int main()
     cuts_are_walked_along(seed);
   }
   one_segment_is_selected();
+  disjoint_nodes_beside_brute_force();
   return check::result();
 }

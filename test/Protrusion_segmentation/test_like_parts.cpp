@@ -12,10 +12,8 @@
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <random>
 #include <set>
 #include <utility>
 #include <vector>
@@ -78,21 +76,6 @@ void beside_sure_parts_only_these_are_evidence()
   CGAL_CHECK((like_parts({cut_of({1}, sure, size), cut_of({2}, sure, size)}) == std::vector{full, full}));
 }
 
-void disjoint_nodes_beside_brute_force()
-{
-  std::mt19937 random(7);
-  for (int i = 0; i < 2000; ++i)
-  {
-    std::set<Nodes::value_type> a, b;
-    for (std::size_t n = random() % 6; n > 0; --n)
-      a.insert(random() % 20);
-    for (std::size_t n = random() % 6; n > 0; --n)
-      b.insert(random() % 20);
-    const bool expected = std::none_of(a.begin(), a.end(), [&](auto x) { return b.count(x) > 0; });
-    CGAL_CHECK_EQUAL(internal::are_disjoint(Nodes(a.begin(), a.end()), Nodes(b.begin(), b.end())), expected);
-  }
-}
-
 // A plate in the form of a star whose notches are at a share of the radius of its tips. Part 0 is the body; it has no walls.
 Test_mesh wide_star(std::size_t arms, double share, double height)
 {
@@ -153,7 +136,6 @@ int main()
   equal_parts_say_the_full_weight();
   what_overlaps_or_is_no_part_says_nothing();
   beside_sure_parts_only_these_are_evidence();
-  disjoint_nodes_beside_brute_force();
   for (std::size_t arms = 4; arms <= 9; ++arms)
     wide_arms_come_off_together(arms);
   return check::result();

@@ -123,6 +123,27 @@ void check_outputs(const Command_line& command_line)
     throw std::invalid_argument("--rig: '" + command_line.rig + "' has not the extension .glb or .gltf");
 }
 
+// Options of formats that are not written would be ignored in silence.
+void check_formats_of_options(const CLI::App& app, const Command_line& command_line)
+{
+  std::set<std::string> extensions;
+  for (const std::string& name : command_line.outputs)
+    extensions.insert(lower_case_extension(name));
+  for (const std::string& format : command_line.formats)
+    extensions.insert("." + format);
+  const auto check_option = [&](const char* option, const std::vector<std::string>& formats, const std::string& words)
+  {
+    if (app.count(option) > 0 && std::none_of(formats.begin(), formats.end(),
+                                              [&](const std::string& format) { return extensions.count(format) > 0; }))
+      throw std::invalid_argument(option + std::string(" has no meaning without an output in ") + words);
+  };
+  check_option("--one-object", {".glb", ".gltf"}, "glTF");
+  check_option("--array-name", {".vtp"}, "VTP");
+  check_option("--colors", {".ply", ".obj", ".glb", ".gltf"}, "PLY, OBJ or glTF");
+  extensions.insert(lower_case_extension(command_line.rig));
+  check_option("--up", {".glb", ".gltf", ".usda"}, "glTF or USD");
+}
+
 std::string place_of(const std::string& name)
 {
   return name == "-" ? name : place_of_file(name).string();
@@ -182,6 +203,7 @@ void check(const CLI::App& app, const Command_line& command_line)
     check_labels(app, command_line);
     check_hierarchy(command_line.options);
     check_outputs(command_line);
+    check_formats_of_options(app, command_line);
     check_names(command_line);
     if (!command_line.report.empty() && !can_write_report())
       throw std::invalid_argument("--report: three.js was not found when this program was built");

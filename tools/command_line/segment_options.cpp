@@ -51,7 +51,9 @@ std::string problem_with_distance(const std::string& text)
 
 std::string problem_with_gap(const std::string& text)
 {
-  return text == "auto" ? "" : problem_with_distance(text);
+  if (text == "auto")
+    return "";
+  return number<double>(text) == 0. ? "'" + text + "' is no distance above 0" : problem_with_distance(text);
 }
 
 void add_segmentation_options(CLI::App& app, Command_line& command_line)

@@ -37,6 +37,13 @@ std::string hint_at_dash(int argc, char** argv)
   return "";
 }
 
+int print(const CLI::App& app, const CLI::Success& help_or_version)
+{
+  app.exit(help_or_version);
+  std::cout.flush();
+  return std::cout ? done : report(app.get_name(), "the standard output: cannot be written", failure);
+}
+
 } // namespace
 
 int main(CLI::App& app, int argc, char** argv, const std::function<void()>& run)
@@ -47,7 +54,7 @@ int main(CLI::App& app, int argc, char** argv, const std::function<void()>& run)
   }
   catch (const CLI::Success& help_or_version)
   {
-    return app.exit(help_or_version);
+    return print(app, help_or_version);
   }
   catch (const CLI::ParseError& error)
   {

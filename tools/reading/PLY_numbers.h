@@ -49,6 +49,13 @@ public:
       m_position = (std::min)(m_bytes.find_first_of("\r\n", m_position), m_bytes.size());
   }
 
+  // What follows the last element would be lost in silence. Binary files may have anything there.
+  void check_end_of_text() const
+  {
+    if (m_encoding == Encoding::text && m_bytes.find_first_not_of(any_separators, m_position) != std::string::npos)
+      fail("goes on behind what the header announces");
+  }
+
   double take(const Type& type) { return m_encoding == Encoding::text ? take_word() : take_binary(type); }
 
   // A number of values in a list. Each takes a byte at least.

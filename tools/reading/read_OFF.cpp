@@ -77,6 +77,7 @@ public:
       add_vertex(i);
     for (std::size_t i = 0; i < m_faces; ++i)
       add_face(i);
+    check_end();
   }
 
   Polygon_soup take_soup() { return std::move(m_soup); }
@@ -165,6 +166,14 @@ private:
       m_face.push_back(std::size_t(*index));
     }
     m_soup.polygons.add(m_face);
+  }
+
+  // What follows the last face would be lost in silence.
+  void check_end()
+  {
+    if (const std::string_view line = next_line(m_lines); m_is_by_lines && !line.empty())
+      throw Format_error(m_lines.line_number(), "goes on behind the " + std::to_string(m_vertices) + " vertices and " +
+                                                  std::to_string(m_faces) + " faces that it announces: " + quote(line));
   }
 
   void begin(const char* what, std::size_t index)

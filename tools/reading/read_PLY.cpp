@@ -42,6 +42,7 @@ public:
         read_vertices(element, numbers);
       else
         read(element, numbers);
+    numbers.check_end_of_text();
     if (m_soup.polygons.empty())
       throw Format_error(has("range_grid")
                            ? "is a range grid, the depths that a scanner saw, without faces"

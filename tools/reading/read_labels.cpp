@@ -85,6 +85,8 @@ std::vector<double> read_JSON(const std::string& bytes)
   const Json content = Json::parse(bytes, nullptr, false);
   if (!content.is_array() && !content.is_object())
     throw Format_error("is no JSON with an array of labels, or an object with a label for each face");
+  if (content.is_object() && content.contains("format_version"))
+    throw Format_error("is a record as of --json, which has no labels of faces; -o NAME.seg writes them");
   std::vector<double> labels(content.size());
   std::vector<bool> is_known(content.size(), content.is_array());
   for (const auto& [key, value] : content.items())

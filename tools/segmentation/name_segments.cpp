@@ -43,8 +43,11 @@ void name_segments(Findings& findings, const std::string& file)
     if (segment >= findings.names.size())
       throw Error(file, "names segment " + std::to_string(segment) + ", but there are " +
                           std::to_string(findings.names.size()));
-    if (!named.face || !is_tip_in_body(findings, *named.face, segment))
-      findings.names[segment] = named.name;
+    if (named.face && is_tip_in_body(findings, *named.face, segment))
+      continue;
+    if (std::string& name = findings.names[segment]; !name.empty() && name != named.name)
+      findings.add_note("segment " + std::to_string(segment) + " has two names; " + name + " is not used");
+    findings.names[segment] = named.name;
   }
 }
 

@@ -87,6 +87,23 @@ std::optional<std::vector<std::size_t>> tips_on_mesh(const Findings& findings)
   return tips;
 }
 
+// Labels may be any numbers; segments are numbered from 0.
+std::string note_on_new_numbers(const std::vector<std::size_t>& labels, const Segmentation& segmentation)
+{
+  const std::size_t last = *std::max_element(labels.begin(), labels.end());
+  return last < segmentation.number_of_segments
+           ? ""
+           : "the labels of the file, up to " + std::to_string(last) + ", are numbered from 0 to " +
+               std::to_string(segmentation.number_of_segments - 1) + " in their order";
+}
+
+void take_labels(Findings& findings)
+{
+  const std::vector<std::size_t> labels = read_labels(findings.options.labels, findings.mesh);
+  findings.segmentation = given_segmentation(findings.mesh.mesh, labels);
+  findings.add_note(note_on_new_numbers(labels, findings.segmentation));
+}
+
 // A tip has a protrusion if it lies in one that no tip before it has.
 std::string note_on_tips(const Findings& findings)
 {
@@ -160,14 +177,15 @@ Findings segment_file(const std::string& input,
   warn_of_time(findings, warn);
   Segmentation_options options_on_mesh = options;
   options_on_mesh.tips = tips_on_mesh(findings);
-  findings.segmentation = options.labels.empty()
-                            ? segment(findings.mesh.mesh, patches_of_mesh(findings.mesh), options_on_mesh,
-                                      [tell](double share, const std::string& stage, std::size_t protrusions)
-                                      {
-                                        tell(begin_of_segmentation + share * (end_of_segmentation - begin_of_segmentation),
-                                             stage, protrusions);
-                                      })
-                            : given_segmentation(findings.mesh.mesh, read_labels(options.labels, findings.mesh));
+  if (!options.labels.empty())
+    take_labels(findings);
+  else
+    findings.segmentation =
+      segment(findings.mesh.mesh, patches_of_mesh(findings.mesh), options_on_mesh,
+              [tell](double share, const std::string& stage, std::size_t protrusions)
+              {
+                tell(begin_of_segmentation + share * (end_of_segmentation - begin_of_segmentation), stage, protrusions);
+              });
   if (options.are_borders_smooth)
   {
     tell(end_of_segmentation, "smoothing borders", findings.segmentation.record.protrusions().size());

@@ -151,7 +151,7 @@ std::string note_on_single_precision(const std::vector<std::string>& names, cons
 void check_output_format(const std::string& format)
 {
   if (!find_format("mesh." + format))
-    throw std::invalid_argument("--format: '" + format + "' is none of " + known_extensions());
+    throw std::invalid_argument("--format: '" + format + "' is none of html, " + known_extensions());
 }
 
 void check_output_name(const std::string& name)

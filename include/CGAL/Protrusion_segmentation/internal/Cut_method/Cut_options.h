@@ -40,6 +40,8 @@ struct Cut_options
 
   Cut_weights weights = {};
 
+  bool is_sure(double log_odds) const { return log_odds >= sure_log_odds; }
+
   double cost(double border_length, double curvature) const
   {
     const double strength = curvature > 0 ? curvature : -curvature * convex_share;

@@ -132,7 +132,8 @@ private:
     for (Index id : ids)
       segments.push_back(&m_memo[id].segment);
     std::vector<std::vector<Cut>> cuts = m_search(segments);
-    if (m_best.size() == 1 && m_options.sure_log_odds < infinity)
+    const bool is_before_first_cut = m_best.size() == 1;
+    if (is_before_first_cut && m_options.sure_log_odds < infinity)
       find_like_parts(m_options, cuts.front());
     for (std::size_t i = 0; i < ids.size(); ++i)
       m_memo.set_cuts(ids[i], std::move(cuts[i]));

@@ -54,7 +54,7 @@ private:
     constexpr double most_neighbors = 0.4; // earlier borders half as long as the cut
     Cuts sure;
     for (const Cut& cut : m_memo[segment].cuts)
-      if ((cut.log_odds >= m_options.sure_log_odds || cut.like_part > 0) && cut.clues.neighbors <= most_neighbors)
+      if ((m_options.is_sure(cut.log_odds) || cut.like_part > 0) && cut.clues.neighbors <= most_neighbors)
         sure.push_back(&cut);
     std::stable_sort(sure.begin(), sure.end(), [](const Cut* a, const Cut* b) { return a->log_odds > b->log_odds; });
     Cuts result;

@@ -20,7 +20,7 @@ namespace CGAL::Protrusion_segmentation::internal {
 inline void find_like_parts(const Cut_options& options, std::vector<Cut>& cuts)
 {
   const Cut_weights& weights = options.weights;
-  const auto is_sure = [&](const Cut& cut) { return cut.log_odds >= options.sure_log_odds; };
+  const auto is_sure = [&](const Cut& cut) { return options.is_sure(cut.log_odds); };
   const auto may_be_part = [&](const Cut& cut) { return cut.log_odds >= -weights.like_part && is_distinct(cut.clues); };
   const bool any_is_sure = std::any_of(cuts.begin(), cuts.end(), is_sure);
   for (Cut& cut : cuts)

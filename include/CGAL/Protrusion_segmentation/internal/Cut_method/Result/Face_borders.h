@@ -96,7 +96,7 @@ private:
       for (Index f : *nodes)
         m_partition.set_inner(f, false);
     const double area = m_partition.graph().area_of(inner);
-    if (is_large_enough(area, m_area[s] + m_area[t])) // or else the border stays where it is
+    if (are_kept(area, s, t)) // or else the border stays where it is
     {
       m_faces[s] = std::move(inner);
       m_faces[t] = std::move(outer);
@@ -105,6 +105,15 @@ private:
     }
     for (Index f : m_faces[s])
       m_partition.set_label(f, s);
+  }
+
+  // Whether both segments keep most of their area, the first one `area`. Else a side fell apart, and the other one would get
+  // what is no part of it, as an arm the underside of the body between all arms.
+  bool are_kept(double area, Index s, Index t) const
+  {
+    constexpr double least_share = 0.75; // .65 is not enough, see decisions.md
+    const double both = m_area[s] + m_area[t];
+    return is_large_enough(area, both) && area >= least_share * m_area[s] && both - area >= least_share * m_area[t];
   }
 
   // The nodes of a side after some have changed: without those that left, and with those that came.
