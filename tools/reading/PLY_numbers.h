@@ -50,9 +50,12 @@ public:
   }
 
   // What follows the last element would be lost in silence. Binary files may have anything there.
-  void check_end_of_text() const
+  void check_end_of_text()
   {
-    if (m_encoding == Encoding::text && m_bytes.find_first_not_of(any_separators, m_position) != std::string::npos)
+    if (m_encoding != Encoding::text)
+      return;
+    m_position = (std::min)(m_bytes.find_first_not_of(any_separators, m_position), m_bytes.size());
+    if (m_position < m_bytes.size())
       fail("goes on behind what the header announces");
   }
 
