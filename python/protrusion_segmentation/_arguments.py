@@ -82,7 +82,7 @@ def _begin_with_size(rows: npt.NDArray[Any]) -> bool:
 
 
 def _repeats(row: npt.NDArray[Any]) -> bool:
-    return np.unique(row).size < row.size
+    return bool(np.unique(row).size < row.size)
 
 
 def _check_no_mask(name: str, values: Any) -> None:
