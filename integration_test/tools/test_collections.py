@@ -203,6 +203,11 @@ def test_closed_parts_and_pages(segment, example_meshes, tmp_path, libraries):
     assert "1 segmented, 0 already there" in segment(*call[:-len(page) - 1], "--close=faired", *page).out
 
 
+def test_options_of_formats_in_capitals(segment, teddy, tmp_path):
+    segment(teddy, *"-k 2 --output-folder out --format VTP --array-name Label".split())
+    assert b"Label" in (tmp_path / "out/teddy.VTP").read_bytes()
+
+
 @pytest.mark.parametrize("options, message", [
     ("--close", "--close has no meaning without"),
     ("--close --format seg", "--close has no meaning without"),

@@ -130,7 +130,7 @@ void check_formats_of_options(const CLI::App& app, const Command_line& command_l
   for (const std::string& name : command_line.outputs)
     extensions.insert(lower_case_extension(name));
   for (const std::string& format : command_line.formats)
-    extensions.insert("." + format);
+    extensions.insert(lower_case_extension("mesh." + format));
   const auto check_option = [&](const char* option, const std::vector<std::string>& formats, const std::string& words)
   {
     if (app.count(option) > 0 && std::none_of(formats.begin(), formats.end(),
