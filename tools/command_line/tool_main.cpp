@@ -4,6 +4,8 @@
 
 #include "command_line/tool_main.h"
 
+#include "writing/write_output.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -37,30 +39,8 @@ std::string hint_at_dash(int argc, char** argv)
   return "";
 }
 
-int print(const CLI::App& app, const CLI::Success& help_or_version)
+int call(const CLI::App& app, const std::function<void()>& run)
 {
-  app.exit(help_or_version);
-  std::cout.flush();
-  return std::cout ? done : report(app.get_name(), "the standard output: cannot be written", failure);
-}
-
-} // namespace
-
-int main(CLI::App& app, int argc, char** argv, const std::function<void()>& run)
-{
-  try
-  {
-    app.parse(argc, argv);
-  }
-  catch (const CLI::Success& help_or_version)
-  {
-    return print(app, help_or_version);
-  }
-  catch (const CLI::ParseError& error)
-  {
-    return report(app.get_name(), error.what() + hint_at_dash(argc, argv) + " (see --help)", bad_usage);
-  }
-
   try
   {
     run();
@@ -74,6 +54,31 @@ int main(CLI::App& app, int argc, char** argv, const std::function<void()>& run)
   {
     return report(app.get_name(), error.what(), failure);
   }
+}
+
+} // namespace
+
+int main(CLI::App& app, int argc, char** argv, const std::function<void()>& run)
+{
+  try
+  {
+    app.parse(argc, argv);
+  }
+  catch (const CLI::Success& help_or_version)
+  {
+    return call(app,
+                [&]()
+                {
+                  app.exit(help_or_version);
+                  finish_standard_output();
+                });
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return report(app.get_name(), error.what() + hint_at_dash(argc, argv) + " (see --help)", bad_usage);
+  }
+
+  return call(app, run);
 }
 
 } // namespace tool

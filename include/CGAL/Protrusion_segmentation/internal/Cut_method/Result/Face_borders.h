@@ -111,7 +111,7 @@ private:
   // what is no part of it, as an arm the underside of the body between all arms.
   bool are_kept(double area, Index s, Index t) const
   {
-    constexpr double least_share = 0.75; // .65 is not enough, see decisions.md
+    constexpr double least_share = 0.75; // an octopus's body kept .64 of its area, decisions.md
     const double both = m_area[s] + m_area[t];
     return is_large_enough(area, both) && area >= least_share * m_area[s] && both - area >= least_share * m_area[t];
   }
