@@ -117,6 +117,8 @@ def test_message_on_a_number_of_segments_is_short(segment, teddy, options, messa
     ("-o a.seg --up z", "--up has no meaning without an output in glTF or USD"),
     ("-o a.ply --array-name Label", "--array-name has no meaning without an output in VTP"),
     ("-o a.stl --colors input", "--colors has no meaning without an output in PLY, OBJ or glTF"),
+    ("-o a.seg --triangulate", "--triangulate has no meaning without an output of a mesh"),
+    ("--json a.json --triangulate", "--triangulate has no meaning without an output of a mesh"),
     ("--close %d.off", "'%d.off' is no mesh; an output is named by -o"),
     ("--close faired -o %d.off", "'faired' is no mesh; caps are chosen by --close=faired"),
 ])

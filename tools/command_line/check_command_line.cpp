@@ -97,18 +97,22 @@ void check_labels(const CLI::App& app, const Command_line& command_line)
         throw std::invalid_argument(std::string(option) + " has no meaning with --labels");
 }
 
+// Of a collection.
+bool has_format_of_meshes(const Command_line& command_line)
+{
+  const std::vector<std::string>& formats = command_line.formats;
+  return std::any_of(formats.begin(), formats.end(), [](const std::string& format)
+                     { return format != "html" && holds_a_mesh("mesh." + format); });
+}
+
 void check_outputs(const Command_line& command_line)
 {
   const std::vector<std::string>& outputs = command_line.outputs;
   for (const std::string& name : outputs)
     check_output_name(name);
-  const std::vector<std::string>& formats = command_line.formats; // of a collection
-  if (!command_line.caps.empty() &&
+  if (!command_line.caps.empty() && !has_format_of_meshes(command_line) &&
       std::none_of(outputs.begin(), outputs.end(),
-                   [](const std::string& name) { return is_pattern(name) || holds_parts(name); }) &&
-      std::none_of(formats.begin(), formats.end(),
-                   [](const std::string& format)
-                   { return format != "html" && holds_a_mesh("mesh." + format); }))
+                   [](const std::string& name) { return is_pattern(name) || holds_parts(name); }))
     throw std::invalid_argument(
       "--close has no meaning without a %d or %s in the name of an output, or .3mf, or --format "
       "with a format of meshes");
@@ -137,6 +141,10 @@ void check_formats_of_options(const CLI::App& app, const Command_line& command_l
                                               [&](const std::string& format) { return extensions.count(format) > 0; }))
       throw std::invalid_argument(option + std::string(" has no meaning without an output in ") + words);
   };
+  const std::vector<std::string>& outputs = command_line.outputs;
+  if (app.count("--triangulate") > 0 && !has_format_of_meshes(command_line) &&
+      std::none_of(outputs.begin(), outputs.end(), holds_a_mesh))
+    throw std::invalid_argument("--triangulate has no meaning without an output of a mesh");
   check_option("--one-object", {".glb", ".gltf"}, "glTF");
   check_option("--array-name", {".vtp"}, "VTP");
   check_option("--colors", {".ply", ".obj", ".glb", ".gltf"}, "PLY, OBJ or glTF");
