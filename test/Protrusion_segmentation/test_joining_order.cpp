@@ -24,17 +24,30 @@ Segment_tree star_tree()
 void without_others_the_order_stays()
 {
   const Segment_tree tree = star_tree();
-  Joining_order joining(tree, {0, 2, 1, 3});
+  Joining_order joining(tree, {0, 1, 1, 1}, {0, 2, 1, 3});
   while (joining.number_left() > 1)
     joining.join_last();
   CGAL_CHECK(joining() == (std::vector<Index>{0, 2, 1, 3}));
+}
+
+// Of arms 2 and 3, which are worth the same, the last one of the order.
+void least_valuable_segments_are_joined_first()
+{
+  const Segment_tree tree = star_tree();
+  Joining_order joining(tree, {0, 3, 2, 2}, {0, 3, 1, 2});
+  CGAL_CHECK_EQUAL(joining.value_without_least_valuable(), 5);
+  joining.join_least_valuable();
+  CGAL_CHECK_EQUAL(joining.value_without_least_valuable(), 3);
+  joining.join_least_valuable();
+  CGAL_CHECK_EQUAL(joining.value_without_least_valuable(), 0);
+  CGAL_CHECK(joining() == (std::vector<Index>{0, 1, 3, 2}));
 }
 
 // The others join arm 1 first, and then arm 3.
 void the_order_is_that_of_others()
 {
   const Segment_tree tree = star_tree();
-  Joining_order joining(tree, {0, 1, 2, 3});
+  Joining_order joining(tree, {0, 1, 1, 1}, {0, 1, 2, 3});
   joining.join_for({{3, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
   joining.join_for({{3, 0}, {1, 0}, {0, 1}, {1, 0}});
   CGAL_CHECK_EQUAL(joining.number_left(), 2u);
@@ -82,7 +95,7 @@ void each_step_has_the_least_error(std::uint_fast32_t seed)
   std::vector<Index> order(n);
   std::iota(order.begin(), order.end(), Index(0));
   std::swap(order[0], order[tree.body()]);
-  Joining_order joining(tree, order);
+  Joining_order joining(tree, std::vector<double>(n, 1), order);
   while (joining.number_left() > 2)
   {
     const std::size_t left = joining.number_left();
@@ -114,6 +127,7 @@ void each_step_has_the_least_error(std::uint_fast32_t seed)
 int main()
 {
   without_others_the_order_stays();
+  least_valuable_segments_are_joined_first();
   the_order_is_that_of_others();
   for (std::uint_fast32_t seed = 0; seed < 500; ++seed)
     each_step_has_the_least_error(seed);

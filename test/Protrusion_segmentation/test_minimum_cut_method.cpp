@@ -149,6 +149,41 @@ void pegs_leave_no_holes_in_an_open_plate()
   CGAL_CHECK(right >= 26);
 }
 
+// A trunk, part 0, with four legs, which are parts, and with spines, which are not.
+Test_mesh trunk_with_spines(std::size_t pairs_of_spines)
+{
+  std::vector<Stick> sticks = {{{-2, 0, 0}, {2, 0, 0}, 0.6, 0.6, 0}};
+  std::size_t part = 1;
+  for (double x : {-1.5, 1.5})
+    for (double y : {-0.4, 0.4})
+    {
+      sticks.push_back({{x, y, -0.3}, {x, 1.3 * y, -1.6 - 0.02 * double(part)}, 0.35, 0.28, part});
+      ++part;
+    }
+  for (std::size_t i = 0; i < pairs_of_spines; ++i)
+    for (double y : {-0.35, 0.35})
+    {
+      const double x = -2 + 4 * double(i) / double(pairs_of_spines - 1);
+      sticks.push_back({{x, y, 0.4}, {x, 2 * y, 1 + 0.02 * double(i) + (y > 0 ? 0.01 : 0)}, 0.1, 0.1, 0});
+    }
+  return implicit_mesh(Implicit_body(sticks, 0.04), 0.12);
+}
+
+// The search sees spines first, of which each is a sure part. Of few segments, legs are worth more.
+void spines_do_not_keep_legs_from_being_found()
+{
+  const Test_mesh soup = trunk_with_spines(9);
+  check_parts(soup, 0.95);
+  const Mesh mesh = to_graph<Mesh>(soup);
+  const Segmentation of_hierarchy = checked(mesh,
+                                            [&](auto ids)
+                                            {
+                                              CGAL::protrusion_hierarchy(mesh, 23).segment_ids(mesh, 5, ids);
+                                              return std::size_t(5);
+                                            });
+  check_parts(soup, of_hierarchy, 0.95);
+}
+
 // A face keeps its segment, or gets the nearest ancestor of it that is left: the segments nest.
 void check_coarser(const PS::Segment_hierarchy& hierarchy,
                    std::size_t k,
@@ -270,6 +305,7 @@ int main()
   bent_tubes_are_whole();
   a_seam_is_cut_once();
   pegs_leave_no_holes_in_an_open_plate();
+  spines_do_not_keep_legs_from_being_found();
   the_hierarchy_holds_nested_segmentations();
   tips_of_a_user_are_cut_off();
   other_distances_serve_the_search();

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -69,6 +70,18 @@ public:
     return number_of_segments <= m_surface.number_of_faces() ? m_beam.best(number_of_segments) : nullptr;
   }
 
+  // The best cuts into a given number of segments, which there are. Many small parts, such as spines, hide the large ones from
+  // the search until they are cut off: the most valuable cuts of the automatic segmentation may be worth more.
+  Cut_set cuts_into(std::size_t number_of_segments)
+  {
+    if (number_of_segments > 1 && m_beam.knows_more_sure_cuts_than(number_of_segments))
+      if (const std::size_t automatic = automatic_number(); automatic > number_of_segments)
+        if (Cut_set found = most_valuable_cuts(*m_beam.best(automatic), number_of_segments - 1);
+            found.value > m_beam.best(number_of_segments)->value)
+          return found;
+    return *m_beam.best(number_of_segments);
+  }
+
   // The best sets into fewer segments.
   std::vector<const Cut_set*> coarser_than(const Cut_set& set)
   {
@@ -82,8 +95,7 @@ public:
   // The segments of a set on the faces. `coarser`: sets of fewer segments, which its order is to be near to
   Component_segments segments(const Cut_set& set, const std::vector<const Cut_set*>& coarser = {}) const
   {
-    const Faces_of_surface faces{graph_of_faces(), m_divided ? &*m_divided : nullptr};
-    return Component_segments(faces, m_graphs, memo(), set, m_options, m_execution, coarser);
+    return Component_segments(faces_of_surface(), m_graphs, memo(), set, m_options, m_execution, coarser);
   }
   std::vector<Protrusion<Index>> describe(const Component_segments& segments) const
   {
@@ -117,6 +129,7 @@ public:
 
 private:
   const Indexed_surface& searched_surface() const { return m_divided ? m_divided->surface : m_surface; }
+  Faces_of_surface faces_of_surface() const { return {graph_of_faces(), m_divided ? &*m_divided : nullptr}; }
   Index searched_face(Index face) const { return m_divided ? m_divided->first_piece(face) : face; }
 
   // The cuts of a known segmentation if the tips of all its protrusions are picked, and at most a quarter more: the tips of a
@@ -163,6 +176,22 @@ private:
     }
     tips = std::move(with_cut);
     tips.insert(tips.end(), others.begin(), others.end());
+    return result;
+  }
+
+  // Of the cuts of a set. Each cuts a part with all that sticks out of it off. Borders stay between nodes.
+  Cut_set most_valuable_cuts(const Cut_set& set, std::size_t number_of_cuts)
+  {
+    Cut_options options = m_options;
+    options.moves_borders_on_faces = false;
+    const Component_segments segments(faces_of_surface(), m_graphs, memo(), set, options, m_execution);
+    std::vector<Index> parts(segments.number_of_segments() - 1);
+    std::iota(parts.begin(), parts.end(), Index(1));
+    std::stable_sort(parts.begin(), parts.end(),
+                     [&](Index a, Index b) { return segments.cut(a)->value > segments.cut(b)->value; });
+    Cut_set result = *m_beam.best(1);
+    for (std::size_t i = 0; i < number_of_cuts; ++i)
+      cut_off(result, segments, parts[i]);
     return result;
   }
 

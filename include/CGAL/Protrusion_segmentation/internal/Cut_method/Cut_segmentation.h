@@ -80,7 +80,7 @@ public:
     const std::vector<std::size_t> numbers = numbers_of_segments(components, k, m_execution);
     for (std::size_t c = 0; c < n; ++c)
     {
-      append(c, find_segments(c, loaded[c], *loaded[c].component->best(numbers[c]), m_execution));
+      append(c, find_segments(c, loaded[c], loaded[c].component->cuts_into(numbers[c]), m_execution));
       loaded[c] = Loaded(); // its memory is needed no more
     }
     return result();

@@ -84,6 +84,13 @@ public:
       [this](std::size_t n) -> const Cut_set& { return *best(n); }, m_options);
   }
 
+  // Whether more sure cuts of one segment are known than a number of segments has room for.
+  bool knows_more_sure_cuts_than(std::size_t number_of_segments) const
+  {
+    return std::any_of(m_of_sure_cuts.upper_bound(number_of_segments), m_of_sure_cuts.end(),
+                       [](const auto& sets_of_number) { return !sets_of_number.second.empty(); });
+  }
+
   // What the last of a number of segments gains, of those that were asked for.
   double gain_of_last(std::size_t number_of_segments) const
   {

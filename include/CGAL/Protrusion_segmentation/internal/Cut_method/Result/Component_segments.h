@@ -35,7 +35,8 @@ struct Faces_of_surface
 };
 
 // The segments of a connected surface that a set of cuts makes: the faces of each and their tree. The body is segment 0. If the last
-// segments are given to their parents, the rest is near the best set of as many segments, where `coarser` has it.
+// segments are given to their parents, the rest is near the best set of as many segments, where `coarser` has it and it is worth
+// more than what is left without the least valuable border.
 class Component_segments
 {
 public:
@@ -132,7 +133,7 @@ private:
     std::vector<Index> order(areas.size()); // by the cut, that of the body first
     std::iota(order.begin(), order.end(), Index(0));
     std::sort(order.begin(), order.end(), [&](Index a, Index b) { return cuts[a] < cuts[b]; });
-    order = order_with(tree, std::move(order), coarser);
+    order = order_with(tree, values_of(cuts), std::move(order), coarser);
     std::vector<Index> number(areas.size());
     for (Index s = 0; s < order.size(); ++s)
       number[order[s]] = s;
@@ -150,12 +151,13 @@ private:
 
   // The order of the leaves, the body first, from that of their cuts.
   std::vector<Index> order_with(const Segment_tree& tree,
+                                std::vector<double> values,
                                 std::vector<Index> order,
                                 const std::vector<const Cut_set*>& coarser) const
   {
     constexpr std::size_t most =
       100; // segments for which others are looked at: it takes the cube of the number
-    Joining_order joining(tree, std::move(order));
+    Joining_order joining(tree, std::move(values), std::move(order));
     while (joining.number_left() > 2)
     {
       const auto set = std::find_if(coarser.begin(), coarser.end(),
@@ -163,10 +165,21 @@ private:
                                     { return s->segments.size() + 1 == joining.number_left(); });
       if (set == coarser.end() || joining.number_left() > most)
         joining.join_last();
+      else if (joining.value_without_least_valuable() > (*set)->value)
+        joining.join_least_valuable();
       else
         joining.join_for(overlaps_with(**set));
     }
     return joining();
+  }
+
+  std::vector<double> values_of(const Cuts& cuts) const
+  {
+    std::vector<double> result(cuts.size(), 0);
+    for (std::size_t leaf = 0; leaf < cuts.size(); ++leaf)
+      if (cuts[leaf])
+        result[leaf] = m_set.cuts[*cuts[leaf]].value;
+    return result;
   }
 
   Joining_order::Overlaps overlaps_with(const Cut_set& set) const

@@ -16,7 +16,8 @@
 namespace CGAL::Protrusion_segmentation::internal {
 
 // The order in which the segments of a tree are given to their parents, one after the other, so that what is left is always near
-// another segmentation into as many segments: at each step, the one with the least Rand index error.
+// another segmentation into as many segments: at each step, the one with the least Rand index error; or the one whose border is
+// worth least.
 class Joining_order
 {
 public:
@@ -24,9 +25,10 @@ public:
   using Overlaps = std::vector<
     std::vector<double>>; // areas that segments have in common with those of the other segmentation
 
-  // `order`: that without other segmentations, the body first
-  Joining_order(const Segment_tree& tree, std::vector<Index> order)
+  // `values`: of the border of each segment to its parent; `order`: that without other segmentations, the body first
+  Joining_order(const Segment_tree& tree, std::vector<double> values, std::vector<Index> order)
     : m_tree(tree),
+      m_values(std::move(values)),
       m_left(std::move(order)),
       m_is_joined(m_left.size(), false)
   {}
@@ -34,6 +36,17 @@ public:
   std::size_t number_left() const { return m_left.size(); }
 
   void join_last() { join(m_left.size() - 1); }
+  void join_least_valuable() { join(least_valuable()); }
+
+  // Of the borders that are left then.
+  double value_without_least_valuable() const
+  {
+    const std::size_t least = least_valuable();
+    double sum = 0;
+    for (std::size_t i = 1; i < m_left.size(); ++i)
+      sum += i == least ? 0 : m_values[m_left[i]];
+    return sum;
+  }
 
   // `overlaps`: of all segments
   void join_for(const Overlaps& overlaps)
@@ -75,6 +88,16 @@ private:
            2 * std::inner_product(segment.begin(), segment.end(), parent.begin(), 0.);
   }
 
+  // The last one of equals. The body stays.
+  std::size_t least_valuable() const
+  {
+    std::size_t least = m_left.size() - 1;
+    for (std::size_t i = m_left.size() - 1; i-- > 1;)
+      if (m_values[m_left[i]] < m_values[m_left[least]])
+        least = i;
+    return least;
+  }
+
   Index receiver(Index segment) const
   {
     while (m_is_joined[segment])
@@ -90,6 +113,7 @@ private:
   }
 
   const Segment_tree& m_tree;
+  std::vector<double> m_values;
   std::vector<Index> m_left;
   std::vector<Index> m_joined; // in the order in which they were
   std::vector<bool> m_is_joined;
