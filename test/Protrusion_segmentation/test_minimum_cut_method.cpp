@@ -8,12 +8,14 @@
 #include "segmentations.h"
 #include "test_meshes.h"
 
+#include <CGAL/Protrusion_segmentation/Segmentation_record.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <set>
 
 using namespace test_meshes;
@@ -184,6 +186,26 @@ void spines_do_not_keep_legs_from_being_found()
   check_parts(soup, of_hierarchy, 0.95);
 }
 
+// Also where its cuts are the most valuable ones of the automatic segmentation.
+void tips_of_a_result_give_it_again()
+{
+  const Mesh mesh = to_graph<Mesh>(trunk_with_spines(8));
+  for (const std::size_t k : {5, 7})
+  {
+    PS::Segmentation_record<Mesh> record;
+    const Segmentation found = checked(
+      mesh, [&](auto ids)
+      { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k, CGAL::parameters::visitor(std::ref(record))); });
+    std::vector<Mesh::Face_index> tips;
+    for (const auto& protrusion : record.protrusions())
+      tips.push_back(protrusion.tip);
+    CGAL_CHECK_EQUAL(tips.size() + 1, k);
+    const Segmentation again =
+      checked(mesh, [&](auto ids) { return CGAL::segmentation_from_protrusion_tips(mesh, tips, ids); });
+    CGAL_CHECK(as_partition(again.labels) == as_partition(found.labels));
+  }
+}
+
 // A face keeps its segment, or gets the nearest ancestor of it that is left: the segments nest.
 void check_coarser(const PS::Segment_hierarchy& hierarchy,
                    std::size_t k,
@@ -306,6 +328,7 @@ int main()
   a_seam_is_cut_once();
   pegs_leave_no_holes_in_an_open_plate();
   spines_do_not_keep_legs_from_being_found();
+  tips_of_a_result_give_it_again();
   the_hierarchy_holds_nested_segmentations();
   tips_of_a_user_are_cut_off();
   other_distances_serve_the_search();

@@ -137,16 +137,17 @@ private:
   Cut_set known_cuts(std::vector<Index>& tips)
   {
     for (std::size_t number = tips.size() + 1; number > 1 && 4 * (number - 1) >= 3 * tips.size(); --number)
-      if (const Cut_set* found = best(number))
+      if (best(number))
       {
-        const std::vector<Index> own = tips_of(*found);
+        const Cut_set found = cuts_into(number);
+        const std::vector<Index> own = tips_of(found);
         std::vector<Index> tips_first = tips;
         const auto end = std::stable_partition(tips_first.begin(), tips_first.end(), [&](Index f)
                                                { return std::find(own.begin(), own.end(), f) != own.end(); });
         if (static_cast<std::size_t>(end - tips_first.begin()) == own.size())
         {
           tips = std::move(tips_first);
-          return *found;
+          return found;
         }
       }
     return tips.empty() ? *m_beam.best(1) : cuts_of_automatic_segments(tips);
