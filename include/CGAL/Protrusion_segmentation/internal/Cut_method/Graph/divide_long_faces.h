@@ -72,15 +72,13 @@ private:
   // Returns whether there are any that are to be divided.
   bool find_long_faces()
   {
-    constexpr double cell = 0.03;   // of the grid, in units of the root of the area: the size of a node
-    constexpr double growth = 1.25; // of cells if there would be too many pieces
-    constexpr double planes_on_length =
-      1.3; // that a line of the length of a cell meets, on the average of all directions in a plane
-    constexpr double largest_share_of_curved =
-      0.25; // animals of few faces have .3 or more, what is constructed .2 or less
+    constexpr double cell = 0.03;            // of the grid, in units of the root of the area: the size of a node
+    constexpr double growth = 1.25;          // of cells if there would be too many pieces
+    constexpr double planes_on_length = 1.3; // that meet a line as long as a cell, about
+    constexpr double largest_share_of_curved = 0.25; // animals of few faces have .3 or more, what is constructed .2 or less
     const Index n = m_surface.number_of_faces();
-    const double most_pieces = (std::max)((std::min)(32. * n, 50000.),
-                                          2. * n); // a box stays as simple as it is
+    // a box stays as simple as it is
+    const double most_pieces = (std::max)((std::min)(32. * n, 50000.), 2. * n);
     std::vector<double> lengths(n);
     for (Index f = 0; f < n; ++f)
       lengths[f] = std::sqrt(squared_length(f));
