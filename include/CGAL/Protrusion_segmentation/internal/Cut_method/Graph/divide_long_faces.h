@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Grid_cutter.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <CGAL/number_utils.h>
@@ -15,9 +16,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -31,13 +30,13 @@ struct Divided_surface
 
   Indexed_surface::Index first_piece(Indexed_surface::Index face) const
   {
-    return static_cast<Indexed_surface::Index>(std::lower_bound(face_of_piece.begin(), face_of_piece.end(), face) - face_of_piece.begin());
+    return static_cast<Indexed_surface::Index>(
+      std::lower_bound(face_of_piece.begin(), face_of_piece.end(), face) - face_of_piece.begin());
   }
 };
 
 // Divides flat faces that span a shape, as programs for construction make them: where one triangle leads from an arm to the other, no
-// border can run between them. An edge that is too long is halved, and so are its halves; a triangle is halved at its longest edge,
-// which depends on nothing else, so that the pieces of neighbours fit together.
+// border can run between them.
 class Face_divider
 {
 public:
@@ -52,55 +51,54 @@ public:
     const Index n = m_surface.number_of_faces();
     if (!find_long_faces())
       return std::nullopt;
+    std::vector<Point_3> points;
     for (Index v = 0; v < m_surface.number_of_vertices(); ++v)
-      m_points.push_back(m_surface.point(v));
+      points.push_back(m_surface.point(v));
+    Grid_cutter cutter(std::move(points), m_cell);
     for (Index f = 0; f < n; ++f)
       if (m_is_long[f] && is_convex(f))
-        divide(f);
+        divide(cutter, f);
       else
-        divide_edges(f);
+        divide_edges(cutter, f);
     m_corner_begin.push_back(static_cast<Index>(m_corners.size()));
-    return result();
+    return result(std::move(cutter.points()));
   }
 
 private:
-  struct Corner
-  {
-    Index vertex, beyond; // the face beyond the edge to the next corner: the own one inside of a face
-  };
-  using Triangle = std::array<Corner, 3>;
+  using Corner = Grid_cutter::Corner;
 
-  double squared_length(Index v, Index w) const { return squared_distance(m_points[v], m_points[w]); }
+  bool is_long(double length) const { return length > 2 * m_cell; }
 
   // Returns whether there are any that are to be divided.
   bool find_long_faces()
   {
-    constexpr double longest_edge = 0.06; // in units of the root of the area: twice the size of a node; with .04 coarse stars change
-    constexpr double growth = 1.25;       // of that if there would be too many pieces
+    constexpr double cell = 0.03;            // of the grid, in units of the root of the area: the size of a node
+    constexpr double growth = 1.25;          // of cells if there would be too many pieces
+    constexpr double planes_on_length = 1.3; // that meet a line as long as a cell, about
     constexpr double largest_share_of_curved = 0.25; // animals of few faces have .3 or more, what is constructed .2 or less
     const Index n = m_surface.number_of_faces();
-    const double most_pieces = (std::max)((std::min)(16. * n, 50000.), 2. * n); // a box stays as simple as it is
-    constexpr double exponent_of_needle = 0.79; // half of log 3 / log 2: if its long edges are halved, there are three of half the length
-    std::vector<double> squared_lengths(n);
+    // a box stays as simple as it is
+    const double most_pieces = (std::max)((std::min)(32. * n, 50000.), 2. * n);
+    std::vector<double> lengths(n);
     for (Index f = 0; f < n; ++f)
-      squared_lengths[f] = squared_length(f);
+      lengths[f] = std::sqrt(squared_length(f));
     double pieces = 0, area = 0, curved_area = 0;
-    double limit = longest_edge * unit_of_length(m_surface);
-    do
+    m_cell = cell * unit_of_length(m_surface);
+    for (;; m_cell *= growth)
     {
-      m_squared_limit = CGAL::square(limit);
       pieces = area = curved_area = 0;
       m_is_long.assign(n, false);
       for (Index f = 0; f < n; ++f)
-        if (squared_lengths[f] > m_squared_limit)
+        if (is_long(lengths[f]))
         {
           m_is_long[f] = true;
-          pieces += std::pow(squared_lengths[f] / m_squared_limit, exponent_of_needle) + 4 * m_surface.area(f) / m_squared_limit;
+          pieces += 1 + planes_on_length * lengths[f] / m_cell + m_surface.area(f) / CGAL::square(m_cell);
           area += m_surface.area(f);
           curved_area += is_curved(f) ? m_surface.area(f) : 0;
         }
-      limit *= growth;
-    } while (pieces > most_pieces);
+      if (pieces <= most_pieces)
+        break;
+    }
     return pieces > 0 && curved_area <= largest_share_of_curved * area;
   }
 
@@ -122,16 +120,37 @@ private:
     m_corner_begin.push_back(static_cast<Index>(m_corners.size()));
   }
 
-  void divide(Index f)
+  // A polygon that is no triangle is divided around its centroid first: its corners need not lie in a plane.
+  void divide(Grid_cutter& cutter, Index f)
   {
     const Index first = m_surface.first_corner(f), end = m_surface.first_corner(f + 1);
     const auto corner = [&](Index c) { return Corner{m_surface.vertex(c), m_surface.neighbor(c)}; };
+    const auto add = [&](const Grid_cutter::Polygon& piece)
+    {
+      begin_piece(f);
+      m_corners.insert(m_corners.end(), piece.begin(), piece.end());
+    };
     if (end - first == 3)
-      return divide(f, {corner(first), corner(first + 1), corner(first + 2)});
-    const Index middle = static_cast<Index>(m_points.size());
-    m_points.push_back(m_surface.centroid(f));
+      return cutter.cut(f, {corner(first), corner(first + 1), corner(first + 2)}, add);
+    const Index middle = cutter.add(m_surface.centroid(f));
     for (Index c = first; c < end; ++c)
-      divide(f, {corner(c), Corner{m_surface.vertex(m_surface.next_corner(f, c)), f}, Corner{middle, f}});
+      cutter.cut(
+        f, {corner(c), Corner{m_surface.vertex(m_surface.next_corner(f, c)), f}, Corner{middle, f}}, add);
+  }
+
+  // The face stays one piece, with the pieces of its edges.
+  void divide_edges(Grid_cutter& cutter, Index f)
+  {
+    begin_piece(f);
+    for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
+    {
+      const Index beyond = m_surface.neighbor(c), from = m_surface.vertex(c),
+                  to = m_surface.vertex(m_surface.next_corner(f, c));
+      if (m_is_long[f] || (beyond != Indexed_surface::no_face() && m_is_long[beyond]))
+        cutter.cut_edge(from, to, [&](Index vertex) { m_corners.push_back({vertex, beyond}); });
+      else
+        m_corners.push_back({from, beyond});
+    }
   }
 
   // Whether the surface bends along a long edge, but has no sharp one there: then a face is as fine as what it stands for, and
@@ -143,9 +162,10 @@ private:
     for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
     {
       const Index g = m_surface.neighbor(c);
-      if (g == Indexed_surface::no_face() || CGAL::square(m_surface.edge_length(f, c)) <= m_squared_limit)
+      if (g == Indexed_surface::no_face() || !is_long(m_surface.edge_length(f, c)))
         continue;
-      const double sizes = m_surface.area(f) * m_surface.area(g), product = normal * m_surface.area_vector(g);
+      const double sizes = m_surface.area(f) * m_surface.area(g),
+                   product = normal * m_surface.area_vector(g);
       if (product > cosine_of_sharp * sizes && product < cosine_of_flat * sizes)
         return true;
     }
@@ -164,57 +184,8 @@ private:
     return true;
   }
 
-  // Of equally long edges that with the first midpoint, whatever corner a triangle begins with.
-  void divide(Index f, const Triangle& triangle)
-  {
-    const auto key = [&](std::size_t i)
-    {
-      const Index v = triangle[i].vertex, w = triangle[(i + 1) % 3].vertex;
-      return std::make_tuple(-squared_length(v, w), CGAL::midpoint(m_points[v], m_points[w]));
-    };
-    std::size_t longest = 0;
-    for (std::size_t i : {1, 2})
-      if (key(i) < key(longest))
-        longest = i;
-    const Corner a = triangle[longest], b = triangle[(longest + 1) % 3], c = triangle[(longest + 2) % 3];
-    if (squared_length(a.vertex, b.vertex) <= m_squared_limit)
-    {
-      begin_piece(f);
-      m_corners.insert(m_corners.end(), triangle.begin(), triangle.end());
-      return;
-    }
-    const Index middle = middle_of(a.vertex, b.vertex);
-    divide(f, {a, Corner{middle, f}, c});
-    divide(f, {Corner{middle, a.beyond}, b, Corner{c.vertex, f}});
-  }
-
-  // The face stays one piece, with the halves of its edges.
-  void divide_edges(Index f)
-  {
-    begin_piece(f);
-    for (Index c = m_surface.first_corner(f); c < m_surface.first_corner(f + 1); ++c)
-      divide_edge(m_surface.vertex(c), m_surface.vertex(m_surface.next_corner(f, c)), m_surface.neighbor(c));
-  }
-
-  void divide_edge(Index from, Index to, Index beyond)
-  {
-    if (squared_length(from, to) <= m_squared_limit)
-      return m_corners.push_back({from, beyond});
-    const Index middle = middle_of(from, to);
-    divide_edge(from, middle, beyond);
-    divide_edge(middle, to, beyond);
-  }
-
-  Index middle_of(Index v, Index w)
-  {
-    const auto [found, is_new] = m_middles.try_emplace(std::minmax(v, w), static_cast<Index>(m_points.size()));
-    if (is_new)
-      m_points.push_back(CGAL::midpoint(m_points[found->first.first], m_points[found->first.second]));
-    return found->second;
-  }
-
   // Nothing if pieces do not fit together: neighbours that do not share the vertices of their edge.
-  std::optional<Divided_surface> result()
+  std::optional<Divided_surface> result(std::vector<Point_3> points)
   {
     std::optional<std::vector<Index>> neighbors = neighbors_of_corners();
     if (!neighbors)
@@ -225,8 +196,9 @@ private:
     if (m_surface.has_patches())
       for (Index f : m_face_of_piece)
         patches.push_back(m_surface.patch(f));
-    return Divided_surface{Indexed_surface(std::move(m_points), std::move(m_corner_begin), std::move(vertices), std::move(*neighbors),
-                                           false, std::move(patches)),
+    return Divided_surface{Indexed_surface(std::move(points), std::move(m_corner_begin),
+                                           std::move(vertices), std::move(*neighbors), false,
+                                           std::move(patches)),
                            std::move(m_face_of_piece)};
   }
 
@@ -242,7 +214,8 @@ private:
   {
     std::vector<Index> result(m_corners.size(), Indexed_surface::no_face());
     std::vector<Side> sides = sides_of_long_faces(result);
-    std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.edge < b.edge; });
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const Side& a, const Side& b) { return a.edge < b.edge; });
     for (std::size_t i = 0; i < sides.size(); i += 2)
     {
       if (i + 1 == sides.size() || sides[i].edge != sides[i + 1].edge)
@@ -272,17 +245,16 @@ private:
           continue;
         }
         const Index next = c + 1 < m_corner_begin[p + 1] ? c + 1 : m_corner_begin[p];
-        const auto vertices = std::minmax(m_corners[c].vertex, m_corners[next].vertex), faces = std::minmax(f, beyond);
+        const auto vertices = std::minmax(m_corners[c].vertex, m_corners[next].vertex),
+                   faces = std::minmax(f, beyond);
         sides.push_back({{vertices.first, vertices.second, faces.first, faces.second}, c, p});
       }
     return sides;
   }
 
   const Indexed_surface& m_surface;
-  double m_squared_limit = 0;
+  double m_cell = 0;
   std::vector<bool> m_is_long; // of every face
-  std::vector<Point_3> m_points;
-  std::map<std::pair<Index, Index>, Index> m_middles; // of edges, by their vertices
   std::vector<Index> m_face_of_piece, m_corner_begin;
   std::vector<Corner> m_corners;
 };
