@@ -12,6 +12,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/cuts_of_tips.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Component_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/describe_protrusions.h>
@@ -77,7 +78,7 @@ public:
     if (number_of_segments > 1 && m_beam.knows_more_sure_cuts_than(number_of_segments))
       if (const std::size_t automatic = automatic_number(); automatic > number_of_segments)
         if (Cut_set found = most_valuable_cuts(*m_beam.best(automatic), number_of_segments - 1);
-            found.value > m_beam.best(number_of_segments)->value)
+            found.segments.size() == number_of_segments && found.value > m_beam.best(number_of_segments)->value)
           return found;
     return *m_beam.best(number_of_segments);
   }
@@ -170,9 +171,7 @@ private:
     for (Index tip : tips)
     {
       const Index s = segment_of(tip);
-      (has_tip[s] ? others : with_cut).push_back(tip);
-      if (!has_tip[s])
-        cut_off(result, segments, s);
+      (!has_tip[s] && cut_off(result, segments, s) ? with_cut : others).push_back(tip);
       has_tip[s] = true;
     }
     tips = std::move(with_cut);
@@ -180,7 +179,7 @@ private:
     return result;
   }
 
-  // Of the cuts of a set. Each cuts a part with all that sticks out of it off. Borders stay between nodes.
+  // Of the cuts of a set, as many as can be made. Each cuts a part with all that sticks out of it off. Borders stay between nodes.
   Cut_set most_valuable_cuts(const Cut_set& set, std::size_t number_of_cuts)
   {
     Cut_options options = m_options;
@@ -196,8 +195,9 @@ private:
     return result;
   }
 
-  // Cuts a segment and all that sticks out of it, as far as they are there, off one of the set's.
-  void cut_off(Cut_set& set, const Component_segments& segments, Index segment)
+  // Cuts a segment and all that sticks out of it, as far as they are there, off one of the set's. Both sides are made connected: long
+  // faces join segments whose pieces do not touch. Returns whether something is left of the other.
+  bool cut_off(Cut_set& set, const Component_segments& segments, Index segment)
   {
     const std::vector<bool> is_beyond = subtree(segment, segments.parents());
     std::vector<bool> is_inner(m_graphs.coarse.number_of_nodes(), false);
@@ -206,12 +206,20 @@ private:
         for (Index node : memo()[segments.segments_of_memo()[s]].segment.nodes)
           is_inner[node] = true;
     const Index id = memo().segment_with(memo()[segments.segments_of_memo()[segment]].segment.nodes.front(), set);
-    Cut cut;
-    for (Index node : memo()[id].segment.nodes)
+    const Segment& from = memo()[id].segment;
+    Nodes inner;
+    for (Index node : from.nodes)
       if (is_inner[node])
-        cut.inner.push_back(node);
+        inner.push_back(node);
+    if (inner.size() == from.nodes.size())
+      return false;
+    Graph_partition partition(m_graphs.coarse);
+    partition.select(from);
+    Cut cut;
+    cut.inner = partition.connect_sides(from.nodes, inner);
     cut.probability = segments.cut(segment)->probability;
     set = set.with(m_beam.memo().made_cut(id, cut, segments.cut(segment)->value));
+    return true;
   }
 
   std::vector<Index> tips_of(const Cut_set& set)
