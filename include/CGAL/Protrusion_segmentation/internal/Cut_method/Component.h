@@ -171,7 +171,8 @@ private:
     for (Index tip : tips)
     {
       const Index s = segment_of(tip);
-      (!has_tip[s] && cut_off(result, segments, s) ? with_cut : others).push_back(tip);
+      const bool has_cut = !has_tip[s] && cut_off(result, segments, s);
+      (has_cut ? with_cut : others).push_back(tip);
       has_tip[s] = true;
     }
     tips = std::move(with_cut);

@@ -30,8 +30,7 @@ struct Divided_surface
 
   Indexed_surface::Index first_piece(Indexed_surface::Index face) const
   {
-    return static_cast<Indexed_surface::Index>(
-      std::lower_bound(face_of_piece.begin(), face_of_piece.end(), face) - face_of_piece.begin());
+    return static_cast<Indexed_surface::Index>(std::lower_bound(face_of_piece.begin(), face_of_piece.end(), face) - face_of_piece.begin());
   }
 };
 
@@ -164,8 +163,7 @@ private:
       const Index g = m_surface.neighbor(c);
       if (g == Indexed_surface::no_face() || !is_long(m_surface.edge_length(f, c)))
         continue;
-      const double sizes = m_surface.area(f) * m_surface.area(g),
-                   product = normal * m_surface.area_vector(g);
+      const double sizes = m_surface.area(f) * m_surface.area(g), product = normal * m_surface.area_vector(g);
       if (product > cosine_of_sharp * sizes && product < cosine_of_flat * sizes)
         return true;
     }
@@ -196,9 +194,8 @@ private:
     if (m_surface.has_patches())
       for (Index f : m_face_of_piece)
         patches.push_back(m_surface.patch(f));
-    return Divided_surface{Indexed_surface(std::move(points), std::move(m_corner_begin),
-                                           std::move(vertices), std::move(*neighbors), false,
-                                           std::move(patches)),
+    return Divided_surface{Indexed_surface(std::move(points), std::move(m_corner_begin), std::move(vertices), std::move(*neighbors),
+                                           false, std::move(patches)),
                            std::move(m_face_of_piece)};
   }
 
@@ -214,8 +211,7 @@ private:
   {
     std::vector<Index> result(m_corners.size(), Indexed_surface::no_face());
     std::vector<Side> sides = sides_of_long_faces(result);
-    std::stable_sort(sides.begin(), sides.end(),
-                     [](const Side& a, const Side& b) { return a.edge < b.edge; });
+    std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.edge < b.edge; });
     for (std::size_t i = 0; i < sides.size(); i += 2)
     {
       if (i + 1 == sides.size() || sides[i].edge != sides[i + 1].edge)
@@ -245,8 +241,7 @@ private:
           continue;
         }
         const Index next = c + 1 < m_corner_begin[p + 1] ? c + 1 : m_corner_begin[p];
-        const auto vertices = std::minmax(m_corners[c].vertex, m_corners[next].vertex),
-                   faces = std::minmax(f, beyond);
+        const auto vertices = std::minmax(m_corners[c].vertex, m_corners[next].vertex), faces = std::minmax(f, beyond);
         sides.push_back({{vertices.first, vertices.second, faces.first, faces.second}, c, p});
       }
     return sides;
