@@ -24,8 +24,10 @@ struct Cut_options
   double cost_decay = 0.1;
   double convex_share = 0.2; // a ridge counts as a seam of that share of its curvature
 
-  std::size_t level_sets = 10;      // candidates of a segment that are level sets of distances from tips,
+  std::size_t level_sets = 12;      // candidates of a segment that are level sets of distances from tips,
   std::size_t regions = 8;          // and connected regions
+  // The cheapest level sets, which may cross each other. Halves of a ring do, and would leave no place for its teeth.
+  std::size_t crossing_level_sets = 10;
   std::size_t number_of_sets = 2;   // width of the beam; wider ones exploit errors of the value
   std::size_t cuts_of_set = 4;      // further cuts of a set of cuts that are looked at
   double sure_log_odds = 3;         // least log odds of cuts that are made together: 20 to 1; infinity: none are

@@ -66,7 +66,11 @@ public:
     std::vector<Candidate> result;
     keep_different(
       sets.size(), [&](std::size_t i) { return nodes_of(partition, orders[sets[i].order].order, sets[i].set.node); },
-      accept, segment.area, {level_sets_looked_at, m_options.level_sets}, false, result);
+      [&](const Nodes& nodes)
+      {
+        return accept(nodes) && (m_kept_areas.size() < m_options.crossing_level_sets || !crosses_one_kept(nodes, segment.area));
+      },
+      segment.area, {level_sets_looked_at, m_options.level_sets}, false, result);
     keep_different(
       merged.regions.size(), [&](std::size_t i) { return nodes_of(merged, merged.regions[i]); }, accept, segment.area,
       {regions_looked_at, m_options.regions}, true, result);
@@ -145,14 +149,10 @@ private:
   // Whether the set, or its complement, overlaps too much with one of those kept: intersection over union.
   bool is_repetition(const Nodes& nodes, double area, double segment_area) const
   {
-    std::array<double, maximum_number_of_candidates> common{};
     const std::uint32_t similar = sets_of_similar_area(area, segment_area);
     if (similar == 0)
       return false;
-    for (Index node : nodes)
-      for (std::uint32_t bits = m_kept[node] & similar, k = 0; bits != 0; bits >>= 1, ++k)
-        if (bits & 1)
-          common[k] += m_graph.area[node];
+    const Areas common = common_areas(nodes, similar);
     for (std::size_t k = 0; k < m_kept_areas.size(); ++k)
     {
       const double both = area + m_kept_areas[k] - common[k];
@@ -161,6 +161,33 @@ private:
         return true;
     }
     return false;
+  }
+
+  // Whether the borders of the set and of one of those kept divide the segment in four parts, each large enough to be a segment.
+  bool crosses_one_kept(const Nodes& nodes, double segment_area) const
+  {
+    const double area = m_graph.area_of(nodes);
+    const Areas common = common_areas(nodes, ~0u);
+    for (std::size_t k = 0; k < m_kept_areas.size(); ++k)
+    {
+      const double both = area + m_kept_areas[k] - common[k];
+      if ((std::min)({common[k], area - common[k], m_kept_areas[k] - common[k], segment_area - both}) >= least_area_of_segment)
+        return true;
+    }
+    return false;
+  }
+
+  using Areas = std::array<double, maximum_number_of_candidates>;
+
+  // The areas that a set has in common with those of the sets kept whose bits are given.
+  Areas common_areas(const Nodes& nodes, std::uint32_t of_kept) const
+  {
+    Areas common{};
+    for (Index node : nodes)
+      for (std::uint32_t bits = m_kept[node] & of_kept, k = 0; bits != 0; bits >>= 1, ++k)
+        if (bits & 1)
+          common[k] += m_graph.area[node];
+    return common;
   }
 
   // Of the sets kept, a bit each, those that can overlap that much, by their areas.
