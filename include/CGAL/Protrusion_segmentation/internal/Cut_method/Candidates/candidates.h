@@ -68,7 +68,7 @@ public:
       sets.size(), [&](std::size_t i) { return nodes_of(partition, orders[sets[i].order].order, sets[i].set.node); },
       [&](const Nodes& nodes)
       {
-        return accept(nodes) && (m_kept_areas.size() < m_options.crossing_level_sets || !crosses_one_kept(nodes, segment.area));
+        return accept(nodes) && (m_kept_areas.size() < m_options.crossing_level_sets || crosses_none_kept(nodes, segment.area));
       },
       segment.area, {level_sets_looked_at, m_options.level_sets}, false, result);
     keep_different(
@@ -163,18 +163,22 @@ private:
     return false;
   }
 
-  // Whether the borders of the set and of one of those kept divide the segment in four parts, each large enough to be a segment.
-  bool crosses_one_kept(const Nodes& nodes, double segment_area) const
+  // Whether the set is no bump of a ragged edge, and its border and that of none of those kept divide the segment in four parts, each
+  // large enough to be a segment.
+  bool crosses_none_kept(const Nodes& nodes, double segment_area) const
   {
+    constexpr double least_area = 4 * least_area_of_segment; // with none, 3 instead of 1 of 90 round and square plates are cut
     const double area = m_graph.area_of(nodes);
+    if ((std::min)(area, segment_area - area) < least_area)
+      return false;
     const Areas common = common_areas(nodes, ~0u);
     for (std::size_t k = 0; k < m_kept_areas.size(); ++k)
     {
       const double both = area + m_kept_areas[k] - common[k];
       if ((std::min)({common[k], area - common[k], m_kept_areas[k] - common[k], segment_area - both}) >= least_area_of_segment)
-        return true;
+        return false;
     }
-    return false;
+    return true;
   }
 
   using Areas = std::array<double, maximum_number_of_candidates>;

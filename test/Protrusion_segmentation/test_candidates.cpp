@@ -1,0 +1,150 @@
+// Copyright (c) 2026 The Protrusion_segmentation authors. All rights reserved.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Candidates for cuts differ from each other, and after the cheapest ones there are some that cross none of these: teeth of a gear
+// are not hidden by halves of its ring.
+
+#include "check.h"
+#include "dual_graphs.h"
+#include "node_sets.h"
+#include "segmentations.h"
+#include "test_meshes.h"
+
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Candidates/candidates.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+using namespace CGAL::Protrusion_segmentation;
+using namespace test_meshes;
+using internal::Candidate;
+using internal::Nodes;
+
+std::vector<Candidate> candidates_of(const Seam_graph& graph, const internal::Cut_options& options)
+{
+  internal::Graph_partition partition(graph);
+  const internal::Segment whole{all_nodes(graph), 1};
+  partition.select(whole);
+  internal::Level_set_sweep sweep(graph);
+  std::vector<internal::Ordered_level_sets> orders;
+  for (const Index tip : {Index(0), graph.number_of_nodes() / 2, graph.number_of_nodes() - 1})
+  {
+    Nodes order =
+      internal::Graph_distances(graph)(Nodes(1, tip), [](Index, Index) { return true; }, graph.seam_lengths()).nodes;
+    for (int direction = 0; direction < 2; ++direction)
+    {
+      orders.push_back({order, sweep(partition, order, 1)});
+      std::reverse(order.begin(), order.end());
+    }
+  }
+  const internal::Merged_regions regions = internal::Region_merger(graph)(partition, whole);
+  return internal::Candidate_chooser(graph, options)(partition, whole, orders, regions, [](const Nodes&) { return true; });
+}
+
+// The least area of the four parts into which two sets of nodes divide the surface.
+double least_part(const Seam_graph& graph, const Candidate& a, const Candidate& b)
+{
+  const std::set<Index> of_a(a.nodes.begin(), a.nodes.end()), of_b(b.nodes.begin(), b.nodes.end());
+  double parts[2][2] = {};
+  for (Index node = 0; node < graph.number_of_nodes(); ++node)
+    parts[of_a.count(node)][of_b.count(node)] += graph.area[node];
+  return (std::min)({parts[0][0], parts[0][1], parts[1][0], parts[1][1]});
+}
+
+// Returns how many there are that cross none before them.
+std::size_t late_level_sets_cross_none(const Test_mesh& mesh)
+{
+  constexpr double rounding = 1e-12;
+  const Seam_graph graph = seam_graph(mesh);
+  internal::Cut_options options;
+  options.crossing_level_sets = 3;
+  const std::vector<Candidate> candidates = candidates_of(graph, options);
+  const auto first_region =
+    std::find_if(candidates.begin(), candidates.end(), [](const Candidate& c) { return c.is_region; });
+  const std::size_t level_sets = first_region - candidates.begin();
+  CGAL_CHECK(level_sets <= options.level_sets);
+  CGAL_CHECK(candidates.size() - level_sets <= options.regions);
+  for (std::size_t late = options.crossing_level_sets; late < level_sets; ++late)
+    for (std::size_t i = 0; i < late; ++i)
+      CGAL_CHECK(least_part(graph, candidates[i], candidates[late]) < internal::least_area_of_segment + rounding);
+  return level_sets - (std::min)(level_sets, options.crossing_level_sets);
+}
+
+// A ring from `bore` to 1 with teeth up to `reach`, which are as wide as the gaps. Part 0 is the ring.
+Test_mesh gear(std::size_t teeth, double bore, double reach, double height)
+{
+  constexpr std::size_t points_of_tooth = 3;
+  const std::size_t steps = 2 * points_of_tooth * teeth;
+  Test_mesh mesh;
+  const auto add_circle = [&](double r, double z)
+  {
+    const std::size_t first = mesh.points.size();
+    for (std::size_t i = 0; i < steps; ++i)
+      mesh.add_point({r * std::cos(2 * pi * double(i) / double(steps)), r * std::sin(2 * pi * double(i) / double(steps)), z});
+    return first;
+  };
+  const std::size_t bore_below = add_circle(bore, 0), bore_above = add_circle(bore, height);
+  const std::size_t below = add_circle(1, 0), above = add_circle(1, height);
+  const std::size_t tip_below = add_circle(reach, 0), tip_above = add_circle(reach, height);
+  for (std::size_t i = 0; i < steps; ++i)
+  {
+    const std::size_t j = (i + 1) % steps, along = i % (2 * points_of_tooth), tooth = 1 + i / (2 * points_of_tooth);
+    mesh.add_face({bore_above + i, above + i, above + j, bore_above + j});
+    mesh.add_face({bore_below + j, below + j, below + i, bore_below + i});
+    mesh.add_face({bore_below + i, bore_above + i, bore_above + j, bore_below + j});
+    if (along >= points_of_tooth)
+    {
+      mesh.add_face({below + i, below + j, above + j, above + i});
+      continue;
+    }
+    mesh.add_face({above + i, tip_above + i, tip_above + j, above + j}, tooth);
+    mesh.add_face({below + j, tip_below + j, tip_below + i, below + i}, tooth);
+    mesh.add_face({tip_below + i, tip_below + j, tip_above + j, tip_above + i}, tooth);
+    if (along == 0)
+      mesh.add_face({below + i, tip_below + i, tip_above + i, above + i}, tooth);
+    if (along == points_of_tooth - 1)
+      mesh.add_face({below + j, above + j, tip_above + j, tip_below + j}, tooth);
+  }
+  return mesh;
+}
+
+void teeth_are_segments(const Test_mesh& mesh)
+{
+  const auto graph = to_graph<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>>(mesh);
+  const std::size_t parts = number_of_parts(mesh);
+  for (bool is_given : {false, true})
+  {
+    const Segmentation found = checked(
+      graph,
+      [&](auto ids)
+      {
+        return is_given ? CGAL::segmentation_via_protrusion_tips(graph, ids, parts)
+                        : CGAL::segmentation_via_protrusion_tips(graph, ids);
+      });
+    CGAL_CHECK_EQUAL(found.number, parts);
+    std::set<std::pair<std::size_t, std::size_t>> pairs; // of a part and its segments
+    for (std::size_t f = 0; f < mesh.parts.size(); ++f)
+      pairs.insert({mesh.parts[f], found.labels[f]});
+    CGAL_CHECK_EQUAL(pairs.size(), parts);
+  }
+}
+
+int main()
+{
+  std::size_t late = 0;
+  for (unsigned int seed = 0; seed < 40; ++seed)
+    late += late_level_sets_cross_none(random_surface(seed));
+  CGAL_CHECK(late > 0);
+  teeth_are_segments(gear(10, 0.625, 1.25, 0.3));
+  teeth_are_segments(gear(11, 0.525, 1.25, 0.3));
+  teeth_are_segments(gear(12, 0.65, 1.25, 0.25));
+  return check::result();
+}
