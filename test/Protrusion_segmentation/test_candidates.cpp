@@ -143,8 +143,7 @@ int main()
   for (unsigned int seed = 0; seed < 40; ++seed)
     late += late_level_sets_cross_none(random_surface(seed));
   CGAL_CHECK(late > 0);
-  teeth_are_segments(gear(10, 0.625, 1.25, 0.3));
-  teeth_are_segments(gear(11, 0.525, 1.25, 0.3));
-  teeth_are_segments(gear(12, 0.65, 1.25, 0.25));
+  for (std::size_t teeth = 8; teeth <= 16; ++teeth) // two of them had segments of several teeth
+    teeth_are_segments(gear(teeth, 0.5, 1.3, 0.4));
   return check::result();
 }
