@@ -91,13 +91,6 @@ void plates_without_concave_corners_are_whole()
       CGAL_CHECK_EQUAL(automatic_segmentation(thickened(plane, thickness)).number, 1u);
 }
 
-// Corners have no rim if one that is hardly thin enough ends at them. These were cut off.
-void corners_of_plates_have_rims()
-{
-  for (int cells = 44; cells <= 80; cells += 4)
-    CGAL_CHECK_EQUAL(automatic_segmentation(thickened(flat_square(cells), 0.1)).number, 1u);
-}
-
 // A thin star was one piece.
 void arms_of_plates_are_parts()
 {
@@ -128,7 +121,6 @@ int main()
   walls_of_plates_are_rims();
   what_is_no_plate_has_no_rim();
   plates_without_concave_corners_are_whole();
-  corners_of_plates_have_rims();
   arms_of_plates_are_parts();
   bent_plates_have_the_parts_of_flat_ones();
   return check::result();

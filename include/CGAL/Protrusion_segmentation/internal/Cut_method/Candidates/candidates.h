@@ -167,7 +167,7 @@ private:
   // large enough to be a segment.
   bool crosses_none_kept(const Nodes& nodes, double segment_area) const
   {
-    constexpr double least_area = 4 * least_area_of_segment; // with none, 3 instead of 1 of 90 round and square plates are cut
+    constexpr double least_area = 2 * least_area_of_segment; // smaller ones cut washers, larger ones miss arms of stars
     const double area = m_graph.area_of(nodes);
     if ((std::min)(area, segment_area - area) < least_area)
       return false;

@@ -96,35 +96,21 @@ private:
     average(graph, centre, moments.squares);
     average(graph, centre, moments.products);
     std::vector<bool> result(m_surface.number_of_faces());
-    std::vector<Index> found;
-    const auto add_if_rim = [&](Index f, double least_norm)
-    {
-      if (result[f] || !is_rim(moments, node(f), normal(f), least_norm))
-        return;
-      result[f] = true;
-      found.push_back(f);
-    };
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-      add_if_rim(f, least_squared_norm);
-    for (std::size_t i = 0; i < found.size(); ++i)
-      for (const Index arc : faces.arcs(found[i]))
-        add_if_rim(faces.target[arc], least_squared_norm_beside_rim);
-    if (found.empty())
+      result[f] = is_rim(moments, node(f), normal(f));
+    if (std::find(result.begin(), result.end(), true) == result.end())
       result.clear();
     return result;
   }
 
-  // Of a block the squared norm is half of the squared trace: on its edges half of the normals are along each of two directions. At
-  // the corners of a plate more of them are sideways than elsewhere along its rim, which must not end there.
-  static constexpr double least_squared_norm = 0.55, least_squared_norm_beside_rim = 0.4;
-
-  // In terrain nearly all normals are along the same direction, too, but not opposite to each other: their mean is long.
-  static bool is_rim(const Normal_moments& moments, Index i, const Triple& n, double least_norm)
+  // On an edge of a block half of the normals are along each of two directions, and the squared norm is half of the squared trace. In
+  // terrain nearly all normals are along the same direction, too, but not opposite to each other: their mean is long.
+  static bool is_rim(const Normal_moments& moments, Index i, const Triple& n)
   {
-    constexpr double largest_share_sideways = 0.4, largest_squared_mean = 0.25;
+    constexpr double largest_share_sideways = 0.4, least_squared_norm = 0.55, largest_squared_mean = 0.25;
     const double trace = moments.trace(i);
     return moments.along(i, n) < largest_share_sideways * trace &&
-           moments.squared_norm(i) > least_norm * CGAL::square(trace) && moments.squared_mean(i) < largest_squared_mean;
+           moments.squared_norm(i) > least_squared_norm * CGAL::square(trace) && moments.squared_mean(i) < largest_squared_mean;
   }
 
   Triple normal(Index f) const
