@@ -9,8 +9,6 @@
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/like_parts.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <cmath>
 #include <cstddef>
@@ -107,16 +105,8 @@ Test_mesh wide_star(std::size_t arms, double share, double height)
 void wide_arms_come_off_together(std::size_t arms)
 {
   const Test_mesh star = wide_star(arms, 0.4, 0.3);
-  const auto graph = to_graph<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>>(star);
-  for (bool is_given : {false, true})
+  for (const Segmentation& found : {automatic_segmentation(star), given_segmentation(star, arms)})
   {
-    const Segmentation found = checked(
-      graph,
-      [&](auto ids)
-      {
-        return is_given ? CGAL::segmentation_via_protrusion_tips(graph, ids, arms)
-                        : CGAL::segmentation_via_protrusion_tips(graph, ids);
-      });
     CGAL_CHECK_EQUAL(found.number, arms);
     std::vector<std::set<std::size_t>> labels(arms + 1);
     for (std::size_t f = 0; f < star.parts.size(); ++f)

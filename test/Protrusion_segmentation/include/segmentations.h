@@ -88,6 +88,13 @@ inline Segmentation automatic_segmentation(const Test_mesh& soup)
   return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids); });
 }
 
+// The same with a number of segments.
+inline Segmentation given_segmentation(const Test_mesh& soup, std::size_t k)
+{
+  const auto mesh = to_graph<CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>>(soup);
+  return checked(mesh, [&](auto ids) { return CGAL::segmentation_via_protrusion_tips(mesh, ids, k); });
+}
+
 // The paper's method.
 template <typename FaceGraph, typename NamedParameters>
 Segmentation paper_segmentation(const FaceGraph& mesh, std::size_t k, const NamedParameters& np)

@@ -163,8 +163,8 @@ private:
     return false;
   }
 
-  // Whether the set is no bump of a ragged edge, and its border and that of none of those kept divide the segment in four parts, each
-  // large enough to be a segment.
+  // Whether the set is no bump of a ragged edge and crosses none of those kept: two sets cross where their borders divide the segment
+  // in four parts, each large enough to be a segment.
   bool crosses_none_kept(const Nodes& nodes, double segment_area) const
   {
     constexpr double least_area = 2 * least_area_of_segment; // smaller ones cut washers, larger ones miss arms of stars
