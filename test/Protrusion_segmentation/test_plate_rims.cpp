@@ -66,6 +66,20 @@ void walls_of_plates_are_rims()
     }
 }
 
+// Corners, too, however thick the plate is.
+void walls_are_rims_as_a_whole_or_not_at_all()
+{
+  for (int i = 1; i <= 20; ++i)
+    for (const Test_mesh& plane : {flat_square(44), flat_square(60), flat_disk(60)})
+    {
+      const Test_mesh mesh = thickened(plane, 0.02 * i);
+      const std::vector<bool> found = rims(mesh);
+      const auto walls = std::ptrdiff_t(mesh.faces.size() - 2 * plane.faces.size());
+      const std::ptrdiff_t number = std::count(found.begin(), found.end(), true);
+      CGAL_CHECK(number == 0 || number == walls);
+    }
+}
+
 // A step across a sheet, a twentieth as high as that is wide, which looks to one side only.
 Test_mesh cliff()
 {
@@ -82,6 +96,14 @@ void what_is_no_plate_has_no_rim()
                                 bumpy_sphere(4, 1), thickened(flat_square(24), 0.8), flat_star(5, 30), cliff(), tetrahedron(),
                                 single_triangle()})
     CGAL_CHECK(rims(mesh).empty());
+}
+
+// Rims ended before corners, which were cut off.
+void square_plates_are_whole()
+{
+  for (const double thickness : {0.06, 0.08, 0.1, 0.12})
+    for (const int cells : {30, 44, 52, 68})
+      CGAL_CHECK_EQUAL(automatic_segmentation(thickened(flat_square(cells), thickness)).number, 1u);
 }
 
 void plates_without_concave_corners_are_whole()
@@ -119,7 +141,9 @@ void bent_plates_have_the_parts_of_flat_ones()
 int main()
 {
   walls_of_plates_are_rims();
+  walls_are_rims_as_a_whole_or_not_at_all();
   what_is_no_plate_has_no_rim();
+  square_plates_are_whole();
   plates_without_concave_corners_are_whole();
   arms_of_plates_are_parts();
   bent_plates_have_the_parts_of_flat_ones();
