@@ -49,8 +49,8 @@ private:
   // right.
   static constexpr double share_of_plate = 0.72;
 
-  // On an edge of a block half of the normals are along each of two directions.
-  static constexpr double share_of_block = 0.5;
+  // On an edge of a block it is one half. With .5 a rim may go on beside its plate.
+  static constexpr double share_beside_plate = 0.55;
 
   // The mean unit normals, and the mean products of their coordinates, which are the same for opposite normals.
   struct Normal_moments
@@ -112,7 +112,7 @@ private:
         result[f] = is_on_edge(moments, node(f), normal(f), share);
       return result;
     };
-    return strips_of_plates(faces_on_edges(share_of_block), faces_on_edges(share_of_plate));
+    return strips_of_plates(faces_on_edges(share_beside_plate), faces_on_edges(share_of_plate));
   }
 
   // Whether a face looks sideways where more than this share of the normals is along one direction. In terrain nearly all are, too,
