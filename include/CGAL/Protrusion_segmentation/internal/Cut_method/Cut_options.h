@@ -51,9 +51,11 @@ struct Cut_options
   }
 };
 
-// Over what radius normals are averaged, in units of the square root of the area, and how wide seams are by that. Of normals,
-// between .015 and .05 without effect.
+// Over what radius normals are averaged, in units of the square root of the area; between .015 and .05 without effect.
 constexpr double normal_radius = 0.03;
+
+// How wide a seam is by that, in the same units: at most twice as wide. With .04 legs of tables have rings on top.
+constexpr double width_of_seam = 0.05;
 
 // A side of a cut with a smaller share of the surface is a detail of the mesh and no segment of the shape.
 constexpr double least_area_of_segment = 0.0025;

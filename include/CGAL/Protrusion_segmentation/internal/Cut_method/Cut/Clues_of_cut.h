@@ -124,7 +124,7 @@ public:
   // the same seam.
   bool is_band_in_seam() const
   {
-    return 2 * m_earlier_length > m_length && 2 * m_smaller_area < normal_radius * (m_length + m_earlier_length);
+    return 2 * m_earlier_length > m_length && 2 * m_smaller_area < width_of_seam * (m_length + m_earlier_length);
   }
 
   Cut_clues operator()(Strip_measurer& measure_strip)
