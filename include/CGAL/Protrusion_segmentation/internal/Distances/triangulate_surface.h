@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/opposite_corner.h>
 
 #include <CGAL/Kernel_traits.h>
 #include <CGAL/Surface_mesh.h>
@@ -70,22 +71,17 @@ public:
 private:
   bool is_polygon(Index f) const { return m_surface.first_corner(f + 1) - m_surface.first_corner(f) >= 3; }
 
-  // The same edge seen from the face beyond it, if that is oriented alike.
-  Index opposite_corner(Index f, Index corner) const
+  // The same edge seen from the face beyond it, if that is oriented alike and is a polygon.
+  Index opposite_corner_of_polygon(Index f, Index corner) const
   {
     const Index g = m_surface.neighbor(corner);
-    if (g != Indexed_surface::no_face() && is_polygon(g))
-      for (Index c = m_surface.first_corner(g); c < m_surface.first_corner(g + 1); ++c)
-        if (m_surface.neighbor(c) == f && m_surface.vertex(c) == m_surface.vertex(m_surface.next_corner(f, corner)) &&
-            m_surface.vertex(m_surface.next_corner(g, c)) == m_surface.vertex(corner))
-          return c;
-    return Indexed_surface::no_face();
+    return g != Indexed_surface::no_face() && is_polygon(g) ? opposite_corner(m_surface, f, corner) : Indexed_surface::no_face();
   }
 
   // The halfedge from a corner to the next one.
   Halfedge halfedge_of_corner(Index f, Index c)
   {
-    const Index opposite = opposite_corner(f, c);
+    const Index opposite = opposite_corner_of_polygon(f, c);
     const bool is_known = opposite != Indexed_surface::no_face() && m_halfedges[opposite].is_valid() &&
                           m_mesh.is_border(m_mesh.opposite(m_halfedges[opposite]));
     m_halfedges[c] = is_known ? m_mesh.opposite(m_halfedges[opposite]) : m_mesh.add_edge();

@@ -10,10 +10,11 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarsen_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/diffusion.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Disjoint_sets.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -124,27 +125,25 @@ private:
            moments.squared_mean(i) < largest_squared_mean;
   }
 
-  // Of connected faces on edges all are on a rim if three tenths of their area are on edges of plates, else none. So rims go around corners,
-  // where more faces look sideways, and have no gaps: the roof has a valley where an outline ends.
+  // Of connected faces on edges all are on a rim if three tenths of their area are on edges of plates, else none. So rims go around
+  // corners, where more faces look sideways, and have no gaps: the roof has a valley where an outline ends.
   std::vector<bool> strips_of_plates(std::vector<bool> is_on_edge, const std::vector<bool>& is_of_plate) const
   {
     constexpr double least_share_of_plates = 0.3;
-    Disjoint_sets strips(is_on_edge.size());
-    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-      for (Index c = m_surface.first_corner(f); is_on_edge[f] && c < m_surface.first_corner(f + 1); ++c)
-        if (const Index g = m_surface.neighbor(c); g != Indexed_surface::no_face() && is_on_edge[g])
-          strips.union_set(f, g);
-    std::vector<double> area(is_on_edge.size(), 0), area_of_plates(area); // of a strip, at its representative
+    if (std::find(is_of_plate.begin(), is_of_plate.end(), true) == is_of_plate.end())
+      return {};
+    const std::vector<Index> strip =
+      components_of_faces(m_surface, [&](Index f, Index g) { return is_on_edge[f] && is_on_edge[g]; });
+    std::vector<double> area(is_on_edge.size(), 0), area_of_plates(area); // of a strip
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
     {
-      area[strips.find_set(f)] += m_surface.area(f);
-      area_of_plates[strips.find_set(f)] += is_of_plate[f] ? m_surface.area(f) : 0;
+      area[strip[f]] += m_surface.area(f);
+      area_of_plates[strip[f]] += is_of_plate[f] ? m_surface.area(f) : 0;
     }
     bool has_rims = false;
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
     {
-      const Index strip = strips.find_set(f);
-      is_on_edge[f] = is_on_edge[f] && area_of_plates[strip] > least_share_of_plates * area[strip];
+      is_on_edge[f] = is_on_edge[f] && area_of_plates[strip[f]] > least_share_of_plates * area[strip[f]];
       has_rims = has_rims || is_on_edge[f];
     }
     return has_rims ? is_on_edge : std::vector<bool>();

@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/diffusion.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/opposite_corner.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,16 +54,6 @@ inline void limit_to_median(std::vector<double>& numbers, double times)
     number = std::clamp(number, -times * *median, times * *median);
 }
 
-// The corner of a face that has the given neighbour.
-inline Indexed_surface::Index
-corner_of_neighbor(const Indexed_surface& surface, Indexed_surface::Index face, Indexed_surface::Index neighbor)
-{
-  Indexed_surface::Index c = surface.first_corner(face);
-  while (surface.neighbor(c) != neighbor)
-    ++c;
-  return c;
-}
-
 // How far each vertex was moved by itself, as in a scan: the standard deviation, in units of the square root of the area. Heights of
 // neighbours then have opposite signs. Where a surface is curved or folded they agree, and more than those of the two vertices
 // opposite to an edge. `normals`: of the faces, averaged
@@ -76,17 +67,19 @@ inline double noise_of_vertices(const Indexed_surface& surface, const Triples& n
   if (heights.empty())
     return 0;
   limit_to_median(heights, largest_height);
-  const auto opposite = [&](Index f, Index c) { return surface.vertex(surface.next_corner(f, surface.next_corner(f, c))); };
+  const auto height_beyond = [&](Index f, Index c) // of the vertex after an edge: in a triangle the opposite one
+  { return heights[surface.vertex(surface.next_corner(f, surface.next_corner(f, c)))]; };
   double sum = 0;
   std::size_t edges = 0;
   for (Index f = 0; f < surface.number_of_faces(); ++f)
     for (Index c = surface.first_corner(f); c < surface.first_corner(f + 1); ++c)
-      if (const Index g = surface.neighbor(c); g != Indexed_surface::no_face() && f < g)
-      {
-        const Index v = surface.vertex(c), next = surface.vertex(surface.next_corner(f, c));
-        sum += heights[opposite(f, c)] * heights[opposite(g, corner_of_neighbor(surface, g, f))] - heights[v] * heights[next];
-        ++edges;
-      }
+    {
+      const Index g = surface.neighbor(c), d = f < g ? opposite_corner(surface, f, c) : Indexed_surface::no_face();
+      if (d == Indexed_surface::no_face())
+        continue;
+      sum += height_beyond(f, c) * height_beyond(g, d) - heights[surface.vertex(c)] * heights[surface.vertex(d)];
+      ++edges;
+    }
   return sum > 0 ? std::sqrt(sum / (difference_by_noise * double(edges))) / unit_of_length(surface) : 0;
 }
 
