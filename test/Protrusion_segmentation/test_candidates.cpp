@@ -74,44 +74,6 @@ std::size_t late_level_sets_cross_none(const Test_mesh& mesh)
   return level_sets - (std::min)(level_sets, options.crossing_level_sets);
 }
 
-// A ring from `bore` to 1 with teeth up to `reach`, which are as wide as the gaps. Part 0 is the ring.
-Test_mesh gear(std::size_t teeth, double bore, double reach, double height)
-{
-  constexpr std::size_t points_of_tooth = 3;
-  const std::size_t steps = 2 * points_of_tooth * teeth;
-  Test_mesh mesh;
-  const auto add_circle = [&](double r, double z)
-  {
-    const std::size_t first = mesh.points.size();
-    for (std::size_t i = 0; i < steps; ++i)
-      mesh.add_point({r * std::cos(2 * pi * double(i) / double(steps)), r * std::sin(2 * pi * double(i) / double(steps)), z});
-    return first;
-  };
-  const std::size_t bore_below = add_circle(bore, 0), bore_above = add_circle(bore, height);
-  const std::size_t below = add_circle(1, 0), above = add_circle(1, height);
-  const std::size_t tip_below = add_circle(reach, 0), tip_above = add_circle(reach, height);
-  for (std::size_t i = 0; i < steps; ++i)
-  {
-    const std::size_t j = (i + 1) % steps, along = i % (2 * points_of_tooth), tooth = 1 + i / (2 * points_of_tooth);
-    mesh.add_face({bore_above + i, above + i, above + j, bore_above + j});
-    mesh.add_face({bore_below + j, below + j, below + i, bore_below + i});
-    mesh.add_face({bore_below + i, bore_above + i, bore_above + j, bore_below + j});
-    if (along >= points_of_tooth)
-    {
-      mesh.add_face({below + i, below + j, above + j, above + i});
-      continue;
-    }
-    mesh.add_face({above + i, tip_above + i, tip_above + j, above + j}, tooth);
-    mesh.add_face({below + j, tip_below + j, tip_below + i, below + i}, tooth);
-    mesh.add_face({tip_below + i, tip_below + j, tip_above + j, tip_above + i}, tooth);
-    if (along == 0)
-      mesh.add_face({below + i, tip_below + i, tip_above + i, above + i}, tooth);
-    if (along == points_of_tooth - 1)
-      mesh.add_face({below + j, above + j, tip_above + j, tip_below + j}, tooth);
-  }
-  return mesh;
-}
-
 void teeth_are_segments(const Test_mesh& mesh)
 {
   const std::size_t parts = number_of_parts(mesh);

@@ -11,7 +11,7 @@
 // | header            | meshes                                                                |
 // |-------------------|-----------------------------------------------------------------------|
 // | polyhedra         | single_triangle, tetrahedron, box, voxels, pierced_plate (any genus), |
-// |                   | sheet, thin_strip, moebius_strip, prism, regular_prism, l_prism       |
+// |                   | sheet, thin_strip, moebius_strip, prism, regular_prism, l_prism, gear |
 // | spheres           | icosahedron, dodecahedron, football, icosphere, dual, truncated       |
 // | revolution        | uv_sphere, open_cylinder, closed_cylinder, capsule,                   |
 // |                   | capsule_with_ball, dumbbell, torus, revolution of a Profile           |

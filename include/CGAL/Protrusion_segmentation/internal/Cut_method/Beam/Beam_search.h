@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_BEAM_SEARCH_H
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Found_parts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Sure_cuts.h>
@@ -37,7 +38,7 @@ public:
 
   // The arguments must outlive the object.
   Beam_search(const Seam_graph& graph, Segment_search& search, const Cut_options& options)
-    : m_search(search), m_options(options), m_memo(graph), m_sure_cuts(graph, m_memo, options)
+    : m_search(search), m_options(options), m_memo(graph), m_sure_cuts(graph, m_memo, options), m_found_parts(options.weights)
   {
     Nodes all(graph.number_of_nodes());
     std::iota(all.begin(), all.end(), Index(0));
@@ -143,7 +144,28 @@ private:
     if (is_before_first_cut && m_options.sure_log_odds < infinity)
       find_like_parts(m_options, cuts.front());
     for (std::size_t i = 0; i < ids.size(); ++i)
+    {
+      add_found_parts(ids[i], cuts[i]);
       m_memo.set_cuts(ids[i], std::move(cuts[i]));
+    }
+  }
+
+  // Adds to a segment's cuts those around parts that were found before and are like one that has been cut off.
+  void add_found_parts(Index id, std::vector<Cut>& cuts)
+  {
+    const Segment& segment = m_memo[id].segment;
+    const auto set = std::find_if(m_beam.begin(), m_beam.end(), [&](const Cut_set& other)
+                                  { return std::binary_search(other.segments.begin(), other.segments.end(), id); });
+    const std::vector<Nodes> found = m_found_parts.like_those_of(*set, segment, cuts);
+    m_found_parts.add(cuts);
+    for (const Nodes& nodes : found)
+    {
+      std::optional<Cut> cut = m_search.cut_around(segment, nodes);
+      const auto is_same = [&](const Cut& other) { return other.inner == cut->inner; };
+      if (cut && std::none_of(cuts.begin(), cuts.end(), is_same))
+        cuts.push_back(std::move(*cut));
+    }
+    sort_best_first(cuts);
   }
 
   // The sure cuts of segments of the beam that have been searched since the last time.
@@ -235,6 +257,7 @@ private:
   const Cut_options& m_options;
   Segment_memo m_memo;
   Sure_cuts m_sure_cuts;
+  Found_parts m_found_parts;
   std::set<Index> m_with_sure_cuts; // segments whose sure cuts have been made,
   std::map<std::size_t, std::vector<Cut_set>> m_of_sure_cuts; // and the sets of these, by their numbers of segments
   std::vector<Cut_set> m_beam; // of equally many cuts, the best first

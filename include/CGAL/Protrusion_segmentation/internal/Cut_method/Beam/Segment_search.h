@@ -129,6 +129,12 @@ public:
     return best;
   }
 
+  // The cut around given nodes of a segment.
+  std::optional<Cut> cut_around(const Segment& segment, const Nodes& nodes)
+  {
+    return m_workspaces.own().cutter.cut_around(segment, nodes);
+  }
+
   Nodes_by_distance from_tip(const Segment& segment, Index tip)
   {
     ++m_number_of_runs;

@@ -14,21 +14,25 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
+// Parts that even a like part makes no protrusions, or that any place of a tube would make, are evidence for none.
+inline bool may_be_part(const Cut_weights& weights, const Cut& cut)
+{
+  return cut.log_odds >= -weights.like_part && is_distinct(cut.clues);
+}
+
 // Finds parts that are like others, of all cuts of a surface before the first one is made. Each arm of a wide star says little by
-// itself, but all arms together say much. Only like a sure part is evidence, if there are any. Parts that even such
-// evidence makes no protrusions, or that any place of a tube would make, are none for others.
+// itself, but all arms together say much. Only like a sure part is evidence, if there are any.
 inline void find_like_parts(const Cut_options& options, std::vector<Cut>& cuts)
 {
   const Cut_weights& weights = options.weights;
   const auto is_sure = [&](const Cut& cut) { return options.is_sure(cut.log_odds); };
-  const auto may_be_part = [&](const Cut& cut) { return cut.log_odds >= -weights.like_part && is_distinct(cut.clues); };
   const bool any_is_sure = std::any_of(cuts.begin(), cuts.end(), is_sure);
   for (Cut& cut : cuts)
     for (const Cut& other : cuts)
     {
       const double difference = squared_difference(cut.size, other.size);
-      if (may_be_part(cut) && may_be_part(other) && (is_sure(other) || !any_is_sure) && weights.is_like(difference) &&
-          are_disjoint(cut.inner, other.inner))
+      if (may_be_part(weights, cut) && may_be_part(weights, other) && (is_sure(other) || !any_is_sure) &&
+          weights.is_like(difference) && are_disjoint(cut.inner, other.inner))
         cut.like_part = (std::max)(cut.like_part, weights.of_like_part(difference));
     }
 }
