@@ -7,12 +7,15 @@
 #include "all_cuts.h"
 #include "check.h"
 #include "components.h"
+#include "segmentations.h"
 #include "segments_of_graphs.h"
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Beam_search.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <vector>
@@ -275,6 +278,34 @@ void sure_cuts_find_better_sets(std::size_t arms)
   CGAL_CHECK(with.component.best(arms + 1)->value > without.component.best(arms + 1)->value);
 }
 
+// A ball above a flat base that has arms in its plane: part 0 is the ball with the underside.
+Test_mesh body_on_flat_base(std::size_t arms, double height)
+{
+  std::vector<Stick> sticks = {ball({0, 0, height}, 0.8, 0)};
+  for (std::size_t i = 0; i < arms; ++i)
+  {
+    const double turn = 2 * pi * double(i) / double(arms);
+    sticks.push_back({{0, 0, 0.1}, {2 * std::cos(turn), 2 * std::sin(turn), 0.1}, 0.25, 0.25, i + 1});
+  }
+  Test_mesh mesh = implicit_mesh(Implicit_body(sticks, 0.03), 0.12);
+  for (Point& p : mesh.points)
+    p[2] = (std::max)(0., p[2]);
+  return mesh;
+}
+
+// Six of these had a segment that was the underside alone.
+void undersides_are_no_segments()
+{
+  for (double height : {0.7, 0.75})
+    for (std::size_t arms = 4; arms <= 8; ++arms)
+    {
+      const Test_mesh mesh = body_on_flat_base(arms, height);
+      const Segmentation found = automatic_segmentation(mesh);
+      CGAL_CHECK_EQUAL(found.number, arms + 1);
+      CGAL_CHECK(as_partition(found.labels) == as_partition(given_segmentation(mesh, arms + 1).labels));
+    }
+}
+
 int main()
 {
   for (const Test_mesh& mesh : {star(4), creature(), torus(), bumpy_sphere(3, 1), sheet(20, 30)})
@@ -300,5 +331,6 @@ int main()
   for (const double least_gain : {0.01, 0.02, 0.05})
     for (const Test_mesh& mesh : {star(5), creature()})
       sets_end_where_cuts_gain_little(mesh, least_gain);
+  undersides_are_no_segments();
   return check::result();
 }

@@ -37,7 +37,7 @@ public:
   using Index = Dual_graph::Index;
 
   // The arguments must outlive the object.
-  Beam_search(const Seam_graph& graph, Segment_search& search, const Cut_options& options)
+  Beam_search(const Volume_graph& graph, Segment_search& search, const Cut_options& options)
     : m_search(search), m_options(options), m_memo(graph), m_sure_cuts(graph, m_memo, options), m_found_parts(options.weights)
   {
     Nodes all(graph.number_of_nodes());

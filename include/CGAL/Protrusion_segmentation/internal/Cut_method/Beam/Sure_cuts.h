@@ -26,7 +26,7 @@ public:
   using Index = Dual_graph::Index;
 
   // The arguments must outlive the object.
-  Sure_cuts(const Seam_graph& graph, Segment_memo& memo, const Cut_options& options)
+  Sure_cuts(const Volume_graph& graph, Segment_memo& memo, const Cut_options& options)
     : m_graph(graph), m_memo(memo), m_options(options), m_partition(graph)
   {}
 
@@ -75,15 +75,26 @@ private:
     return cuts;
   }
 
-  // Whether a side lies in a segment, and what is left of that is connected and large enough.
+  // Whether a side lies in a segment, and what is left of that is connected, large enough, and not only a flat side of a body: an
+  // underside belongs to what stands on it.
   bool can_be_cut_off(const Segment& segment, const Nodes& side)
   {
     if (!std::includes(segment.nodes.begin(), segment.nodes.end(), side.begin(), side.end()) ||
         !is_large_enough(m_graph.area_of(side), segment.area))
       return false;
     const Nodes rest = other_side(segment, side);
+    if (faces_one_way(rest) && !faces_one_way(segment.nodes))
+      return false;
     m_partition.select({rest, 0});
     return m_partition.connected_nodes(rest.front(), [&](Index i) { return m_partition.is_selected(i); }).size() == rest.size();
+  }
+
+  bool faces_one_way(const Nodes& nodes) const
+  {
+    Indexed_surface::Vector_3 area_vector(0, 0, 0);
+    for (Index i : nodes)
+      area_vector += m_graph.area_vector[i];
+    return std::sqrt(area_vector.squared_length()) > m_options.weights.least_flatness * m_graph.area_of(nodes);
   }
 
   // The cut was found in a larger segment. It is as sure in what is left of that.
@@ -94,7 +105,7 @@ private:
     return set.with(m_memo.made_cut(segment, cut, set.gain(cut, m_options.weights)));
   }
 
-  const Seam_graph& m_graph;
+  const Volume_graph& m_graph;
   Segment_memo& m_memo;
   const Cut_options& m_options;
   Graph_partition m_partition;
