@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
@@ -28,7 +29,12 @@ public:
   // The arguments must outlive the object.
   Sure_cuts(const Volume_graph& graph, Segment_memo& memo, const Cut_options& options)
     : m_graph(graph), m_memo(memo), m_options(options), m_partition(graph)
-  {}
+  {
+    constexpr double largest_opening = 0.01; // relative to the area; sheets and shells have larger ones
+    Nodes all(graph.number_of_nodes());
+    std::iota(all.begin(), all.end(), Index(0));
+    m_is_closed = flatness(all) < largest_opening;
+  }
 
   // For a set and one of its segments, whose cuts are known: the set with the two of these that are worth most, with three, and so on.
   std::vector<Cut_set> operator()(const Cut_set& set, Index segment)
@@ -75,7 +81,7 @@ private:
     return cuts;
   }
 
-  // Whether a side lies in a segment, and what is left of that is connected, large enough, and not only a flat side of a body: an
+  // Whether a side lies in a segment, and what is left of that is connected, large enough, and no flat side of a closed surface: an
   // underside belongs to what stands on it.
   bool can_be_cut_off(const Segment& segment, const Nodes& side)
   {
@@ -83,18 +89,19 @@ private:
         !is_large_enough(m_graph.area_of(side), segment.area))
       return false;
     const Nodes rest = other_side(segment, side);
-    if (faces_one_way(rest) && !faces_one_way(segment.nodes))
+    if (m_is_closed && flatness(rest) > m_options.weights.least_flatness)
       return false;
     m_partition.select({rest, 0});
     return m_partition.connected_nodes(rest.front(), [&](Index i) { return m_partition.is_selected(i); }).size() == rest.size();
   }
 
-  bool faces_one_way(const Nodes& nodes) const
+  // The length of the sum of the area vectors relative to the area.
+  double flatness(const Nodes& nodes) const
   {
     Indexed_surface::Vector_3 area_vector(0, 0, 0);
     for (Index i : nodes)
       area_vector += m_graph.area_vector[i];
-    return std::sqrt(area_vector.squared_length()) > m_options.weights.least_flatness * m_graph.area_of(nodes);
+    return std::sqrt(area_vector.squared_length()) / m_graph.area_of(nodes);
   }
 
   // The cut was found in a larger segment. It is as sure in what is left of that.
@@ -109,6 +116,7 @@ private:
   Segment_memo& m_memo;
   const Cut_options& m_options;
   Graph_partition m_partition;
+  bool m_is_closed; // the area vectors of a closed surface cancel out
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal
