@@ -5,13 +5,13 @@
 // Parts that were found in a larger segment are tried again in a smaller one if they are like one that has been cut off.
 
 #include "check.h"
+#include "distinct_cuts.h"
 #include "segmentations.h"
 #include "test_meshes.h"
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Found_parts.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 using namespace CGAL::Protrusion_segmentation;
@@ -23,17 +23,6 @@ using internal::Found_parts;
 using internal::Nodes;
 
 const internal::Size_of_part tooth = {-3, -1, -0.5}, other = {-2, -1, -0.5};
-
-// A cut that is distinct.
-Cut cut_of(Nodes inner, internal::Size_of_part size, double log_odds = 0)
-{
-  Cut cut;
-  cut.inner = std::move(inner);
-  cut.size = size;
-  cut.log_odds = log_odds;
-  cut.clues.larger_widening = 1;
-  return cut;
-}
 
 Cut_set set_that_cuts_off(internal::Size_of_part size)
 {
@@ -47,8 +36,8 @@ void parts_like_one_cut_off_are_found_again()
 {
   const Cut_weights weights;
   Found_parts parts(weights);
-  parts.add({cut_of({1, 2}, tooth), cut_of({3, 4}, tooth), cut_of({5, 6}, other)});
-  parts.add({cut_of({1, 2}, tooth)}); // once
+  parts.add({cut_of({1, 2}, 0, tooth), cut_of({3, 4}, 0, tooth), cut_of({5, 6}, 0, other)});
+  parts.add({cut_of({1, 2}, 0, tooth)}); // once
   const internal::Segment segment{{1, 2, 3, 5, 6}, 1};
   const std::vector<Nodes> none;
   CGAL_CHECK(parts.like_those_of(set_that_cuts_off(tooth), segment, {}) == std::vector<Nodes>(1, {1, 2}));
@@ -60,21 +49,21 @@ void what_the_segment_has_itself_is_not_found_again()
 {
   const Cut_weights weights;
   Found_parts parts(weights);
-  parts.add({cut_of({1, 2}, tooth)});
+  parts.add({cut_of({1, 2}, 0, tooth)});
   const internal::Segment segment{{1, 2, 3}, 1};
   const Cut_set set = set_that_cuts_off(tooth);
-  CGAL_CHECK(parts.like_those_of(set, segment, {cut_of({2, 3}, tooth)}).empty());
-  CGAL_CHECK_EQUAL(parts.like_those_of(set, segment, {cut_of({3}, tooth)}).size(), 1u);
-  CGAL_CHECK_EQUAL(parts.like_those_of(set, segment, {cut_of({2, 3}, other)}).size(), 1u);
+  CGAL_CHECK(parts.like_those_of(set, segment, {cut_of({2, 3}, 0, tooth)}).empty());
+  CGAL_CHECK_EQUAL(parts.like_those_of(set, segment, {cut_of({3}, 0, tooth)}).size(), 1u);
+  CGAL_CHECK_EQUAL(parts.like_those_of(set, segment, {cut_of({2, 3}, 0, other)}).size(), 1u);
 }
 
 void what_is_no_part_is_not_kept()
 {
   const Cut_weights weights;
   Found_parts parts(weights);
-  Cut anywhere = cut_of({1}, tooth);
+  Cut anywhere = cut_of({1}, 0, tooth);
   anywhere.clues.larger_widening = 0;
-  parts.add({anywhere, cut_of({2}, tooth, -1.1)});
+  parts.add({anywhere, cut_of({2}, -1.1, tooth)});
   CGAL_CHECK(parts.like_those_of(set_that_cuts_off(tooth), {{1, 2, 3}, 1}, {}).empty());
 }
 

@@ -5,6 +5,7 @@
 // Parts that are alike are evidence for each other: equal arms come off together or not at all.
 
 #include "check.h"
+#include "distinct_cuts.h"
 #include "segmentations.h"
 #include "test_meshes.h"
 
@@ -13,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
-#include <utility>
 #include <vector>
 
 using namespace CGAL::Protrusion_segmentation;
@@ -21,17 +21,6 @@ using namespace test_meshes;
 using internal::Cut;
 using internal::Cut_options;
 using internal::Nodes;
-
-// A cut that is distinct.
-Cut cut_of(Nodes inner, double log_odds, internal::Size_of_part size)
-{
-  Cut cut;
-  cut.inner = std::move(inner);
-  cut.log_odds = log_odds;
-  cut.size = size;
-  cut.clues.larger_widening = 1;
-  return cut;
-}
 
 std::vector<double> like_parts(std::vector<Cut> cuts)
 {

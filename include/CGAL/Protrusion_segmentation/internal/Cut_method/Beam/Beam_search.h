@@ -159,12 +159,7 @@ private:
     const std::vector<Nodes> found = m_found_parts.like_those_of(*set, segment, cuts);
     m_found_parts.add(cuts);
     for (const Nodes& nodes : found)
-    {
-      std::optional<Cut> cut = m_search.cut_around(segment, nodes);
-      const auto is_same = [&](const Cut& other) { return other.inner == cut->inner; };
-      if (cut && std::none_of(cuts.begin(), cuts.end(), is_same))
-        cuts.push_back(std::move(*cut));
-    }
+      add_different(cuts, m_search.cut_around(segment, nodes));
     sort_best_first(cuts);
   }
 

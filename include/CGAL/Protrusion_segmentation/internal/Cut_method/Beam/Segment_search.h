@@ -238,13 +238,11 @@ private:
              });
   }
 
-  // Minimum cuts near different candidates may be the same. Then they would keep the beam from what is different.
   static std::vector<Cut> best_different(std::vector<std::optional<Cut>> cuts)
   {
     std::vector<Cut> result;
     for (std::optional<Cut>& cut : cuts)
-      if (cut && std::none_of(result.begin(), result.end(), [&](const Cut& other) { return other.inner == cut->inner; }))
-        result.push_back(std::move(*cut));
+      add_different(result, std::move(cut));
     sort_best_first(result);
     return result;
   }
