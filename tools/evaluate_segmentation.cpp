@@ -225,10 +225,8 @@ void add_options(CLI::App& app, Command_line& command_line)
     ->required()
     ->type_name("");
   app
-    .add_option("--json", command_line.json,
-                "write JSON into FILE, or to the standard output, in place of the table")
-    ->expected(0, 1)
-    ->default_str("-")
+    .add_flag("--json{-}", command_line.json,
+              "write JSON into FILE, or to the standard output, in place of the table")
     ->type_name("[=FILE]")
     ->group("Output");
   tool::complete_help(

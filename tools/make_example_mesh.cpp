@@ -15,6 +15,7 @@
 #include "example_meshes/mesh_of_shape.h"
 #include "example_meshes/shapes.h"
 #include "writing/write_mesh.h"
+#include "writing/write_output.h"
 
 #include <CLI/CLI.hpp>
 
@@ -32,7 +33,11 @@ int main(int argc, char** argv)
       ->required()
       ->check(CLI::IsMember(shapes).description(""))
       ->type_name("");
-  app.add_option("FILE", file, "the file to write: .off, .ply, .obj or .stl")->required()->type_name("");
+  app.add_option("FILE", file, "the file to write: .off, .ply, .obj or .stl")
+      ->required()
+      ->check([](const std::string& name)
+              { return tool::can_write_mesh(name) ? "" : name + " cannot be written: only .off, .ply, .obj and .stl are known"; })
+      ->type_name("");
   app.add_option("--faces", faces, "least number of faces, from 1000 to 1000000; there are up to a quarter more")
       ->transform(tool::integer("number of faces", 1000, 1000000))
       ->type_name("N")
@@ -43,6 +48,7 @@ int main(int argc, char** argv)
   return tool::main(app, argc, argv, [&]() {
     const tool::Mesh mesh = example_shapes::mesh_of_shape(shapes.at(name)(), faces);
     tool::write_mesh(file, mesh);
-    std::cout << file << ": " << name << ", " << mesh.number_of_faces() << " faces" << std::endl;
+    std::cout << file << ": " << name << ", " << mesh.number_of_faces() << " faces\n";
+    tool::finish_standard_output();
   });
 }

@@ -294,6 +294,21 @@ def test_materials_from_obj_to_gltf_and_on(segment, with_materials, tmp_path, li
     assert "images" not in GltfFile(tmp_path / "d.glb").json
 
 
+def test_names_of_materials_with_a_hash(segment, tmp_path):
+    (tmp_path / "a.mtl").write_text("newmtl M#1\nKd 1 0 0\nnewmtl M#2\nKd 0 0 1\n")
+    (tmp_path / "a.obj").write_text("# a comment\nmtllib a.mtl\nv 0 0 0 # first\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                                    "usemtl M#1\nf 1 2 3\nusemtl M#2\nf 1 3 4 # last\n")
+    segment("a.obj", *"-k 1 --colors input -o b.glb -o b.obj".split())
+    colors = {m["name"]: m["pbrMetallicRoughness"]["baseColorFactor"] for m in GltfFile(tmp_path / "b.glb").json["materials"]}
+    assert colors == {"M#1": [1, 0, 0, 1], "M#2": [0, 0, 1, 1]}
+    assert ObjFile(tmp_path / "b.obj").materials == ["M#1", "M#2"]
+
+
+def test_rig_in_colors_of_the_input(segment, with_materials, tmp_path):
+    segment(with_materials, *"-k 5 --colors input --rig rig.glb".split())
+    assert {"fur", "leather"} <= {m["name"] for m in GltfFile(tmp_path / "rig.glb").json["materials"]}
+
+
 def test_closed_parts_keep_materials(segment, with_materials, tmp_path):
     """Caps have none."""
     segment(with_materials, *"-k 3 --close --colors input -o parts/%d.gltf -o parts/%d.obj".split())

@@ -133,6 +133,28 @@ def test_files_of_another_run(segment, teddy, tmp_path):
     read_record(tmp_path / "out/a.json")
 
 
+def test_fewer_segments_than_asked_for(segment, tetrahedron):
+    """It is told also if nothing else is."""
+    for options in ([], ["--quiet"]):
+        result = segment(tetrahedron, *"--output-folder out --again -k 4 --jobs 1".split(), *options)
+        assert ("found 1 of 4 segments" in result.out + result.err), result
+        assert not (options and result.out), result
+
+
+def test_parts_of_another_run(segment, teddy, tmp_path):
+    (tmp_path / "in").mkdir()
+    teddy.rename(tmp_path / "in/a.off")
+    call = "in --output-folder out --format stl --close".split()
+    segment(*call, "-k", 4)
+    for _ in range(2):  # done, and done already
+        result = segment(*call, "-k", 2)
+        assert result.err.count("\n") == 1
+        assert "in/a.off: out/a/2.stl to out/a/3.stl, 2 files, are not of this run" in result.err
+    for name in ("2.stl", "3.stl"):
+        (tmp_path / "out/a" / name).unlink()
+    assert segment(*call, "-k", 2).err == ""
+
+
 def test_mesh_beside_its_outputs(segment, teddy):
     assert segment(teddy, "--output-folder", teddy.parent).err == ""
 

@@ -28,12 +28,21 @@ def test_unknown_shape(make_mesh):
     make_mesh.refuses("snail", "snail.off", code=2)
 
 
-@pytest.mark.parametrize("name, message", [
-    ("missing/teddy.off", "missing/teddy.off: cannot be written"),
-    ("teddy.xyz", "teddy.xyz: cannot be written: only .off, .ply, .obj and .stl are known"),
-])
-def test_file_that_cannot_be_written(make_mesh, name, message):
-    make_mesh.refuses("teddy", name, "--faces", 1000, message=message)
+def test_file_that_cannot_be_written(make_mesh):
+    make_mesh.refuses("teddy", "missing/teddy.off", "--faces", 1000,
+                      message="missing/teddy.off: cannot be written: No such file or directory")
+
+
+def test_unknown_format(make_mesh):
+    """It is told before a mesh is made."""
+    make_mesh.refuses("teddy", "teddy.xyz", code=2,
+                      message="teddy.xyz cannot be written: only .off, .ply, .obj and .stl are known")
+
+
+def test_output_that_cannot_be_written(make_mesh):
+    with open("/dev/full", "wb") as full:
+        make_mesh.refuses("teddy", "teddy.off", "--faces", 1000, stdout=full,
+                          message="the standard output: cannot be written")
 
 
 @pytest.mark.parametrize("extension", ["off", "ply", "obj", "stl"])

@@ -46,6 +46,12 @@ def test_numpy_arrays(segment, teddy, tmp_path, found, array):
     assert labels(tmp_path / "b.seg") == labels(tmp_path / "a.seg")
 
 
+def test_numpy_array_of_no_bytes(segment, teddy, tmp_path):
+    header = b"{'descr': '<i0', 'fortran_order': False, 'shape': (3000,), }\n"
+    (tmp_path / "a.npy").write_bytes(b"\x93NUMPY\x01\x00" + len(header).to_bytes(2, "little") + header)
+    segment.refuses(teddy, "--labels", "a.npy", "-o", "b.seg", message="a.npy: has integers of 0 bytes")
+
+
 def test_labels_of_the_mesh_itself(segment, tmp_path, found):
     segment("a.ply", "--labels", "a.ply", "-o", "b.seg")
     assert labels(tmp_path / "b.seg") == labels(tmp_path / "a.seg")
@@ -137,7 +143,8 @@ def test_names_cannot_leave_the_folder(segment, teddy, tmp_path, found):
 
 
 @pytest.mark.parametrize("content, message", [
-    ("[", "is no JSON"), ('{"names": 1}', "has no array of names"),
+    ("[", "is no JSON"), ('{"names": 1}', "has no array of names"), ('{"name": []}', "has no array of names"),
+    ('[{"segment": 1, "name": "a"}]', "has no array of names"),
     ('{"names": [{"face": 1}]}', "has a name without text"), ('{"names": [{"name": "a"}]}', "has a name without text"),
     ('{"names": [1]}', "has a name without text"), ('{"names": [{"face": 99999999, "name": "a"}]}', "face 99999999"),
     ('{"names": [{"segment": 8, "name": "a"}]}', "names segment 8"),

@@ -30,6 +30,19 @@ def test_mean_in_json(evaluate, tetrahedron, references):
     assert scores["references"][0]["hamming_distance"] == 0
 
 
+def test_json_in_a_file(evaluate, tetrahedron, references, tmp_path):
+    """Only where the name is part of the option: no reference is written over."""
+    first, second = references / "1_0.seg", references / "1_2.seg"
+    before = second.read_text()
+    scores = json.loads(evaluate(tetrahedron, first, first, "--json", second).out)
+    assert len(scores["references"]) == 2
+    assert second.read_text() == before
+    assert evaluate(tetrahedron, first, first, second, "--json=a.json").out == ""
+    assert json.loads((tmp_path / "a.json").read_text()) == scores
+    evaluate.refuses(tetrahedron, first, first, "--json=missing/a.json",
+                     message="missing/a.json: cannot be written: No such file or directory")
+
+
 def test_folder_of_references(evaluate, tetrahedron, references):
     files = [references / f"1_{i}.seg" for i in (0, 2, 10)]  # in the order of their numbers
     assert evaluate(tetrahedron, files[0], references).out == evaluate(tetrahedron, files[0], *files).out

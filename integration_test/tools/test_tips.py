@@ -33,6 +33,7 @@ def test_one_tip(segment, teddy, tmp_path):
     ('{"tips": [-1]}', "tips.json"),
     ('{"tips": [1.5]}', "tips.json"),
     ('{"tips": ["a"]}', "tips.json"),
+    ('{"tips": [0], "names": 1}', "tips.json: has no array of names"),
 ])
 def test_wrong_tips(segment, teddy, tmp_path, content, message):
     (tmp_path / "tips.json").write_text(content + "\n")
@@ -87,6 +88,14 @@ def test_tip_without_a_border(segment, make_mesh, tmp_path):
     (tmp_path / "tips.json").write_text(json.dumps({"tips": [first["tip"], same[0], same[1]]}))
     result = segment("a.off", "--tips", "tips.json")
     assert "found no border for the tip" in result.err
+
+
+def test_tips_from_a_pipe(segment, teddy, tmp_path):
+    tips = [protrusion["tip"] for protrusion in segment.record(teddy, "-k", 3)["protrusions"]]
+    names = [{"face": tips[0], "name": "head"}]
+    segment(teddy, *"--tips - -o a.seg --json a.json".split(), input=json.dumps({"tips": tips, "names": names}).encode())
+    assert len(set(labels(tmp_path / "a.seg"))) == 3
+    assert "head" in [measure.get("name") for measure in read_record(tmp_path / "a.json")["measures"]]
 
 
 def test_names_of_tips(segment, teddy, tmp_path):

@@ -116,9 +116,10 @@ def segment(
     (m,) array of integers
         The segment of every face, from 0 on: `labels` of `segmentation()`.
     """
-    return segmentation(
-        vertices, faces, number_of_segments, method, distance, random_seed, snapping_tolerance, join_pieces, threads, progress
-    ).labels
+    options = _options(method, distance, random_seed, snapping_tolerance, join_pieces, threads, progress)
+    if number_of_segments is not None:
+        options.update(_number("number_of_segments", number_of_segments))
+    return _found(vertices, faces, options).labels
 
 
 def segment_from_tips(

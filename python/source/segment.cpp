@@ -4,6 +4,7 @@
 
 #include "segment.h"
 
+#include "reading/polygon_area.h"
 #include "repair/face_patch_map.h"
 
 #include <CGAL/Protrusion_segmentation/segment_borders.h>
@@ -23,6 +24,8 @@
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace python {
 namespace {
@@ -108,12 +111,10 @@ std::size_t run_method(const Request& request,
 
 double area(tool::Face face, const tool::Mesh& mesh)
 {
-  CGAL::Simple_cartesian<double>::Vector_3 sum(0, 0, 0);
-  const auto h = mesh.halfedge(face);
-  const tool::Point& first = mesh.point(mesh.source(h));
-  for (auto i = mesh.next(h); mesh.target(i) != mesh.source(h); i = mesh.next(i))
-    sum += cross_product(mesh.point(mesh.source(i)) - first, mesh.point(mesh.target(i)) - first);
-  return std::sqrt(sum.squared_length()) / 2;
+  std::vector<tool::Point> corners;
+  for (const auto v : vertices_around_face(mesh.halfedge(face), mesh))
+    corners.push_back(mesh.point(v));
+  return tool::polygon_area(std::move(corners));
 }
 
 std::vector<Segment> describe_segments(std::size_t number,

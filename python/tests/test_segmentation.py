@@ -143,11 +143,20 @@ def test_joined_pieces():
     assert found.labels[found.tips[1]] == 1
 
 
+@pytest.mark.parametrize("exponent", [-120, 120])
+def test_areas_at_any_scale(exponent):
+    scale = 10.0**exponent
+    found = ps.segmentation(POINTS * scale, TRIANGLES, 7)
+    assert found.areas == pytest.approx(ps.segmentation(POINTS, TRIANGLES, 7).areas * scale * scale, rel=1e-6)
+
+
 def test_much_repaired_is_a_warning():
     soup = np.random.default_rng(0).random((60, 3))
     loose = np.arange(60).reshape(20, 3)
-    with pytest.warns(ps.RepairWarning, match="^faces: among 20 there are hardly any faces that share edges"):
-        ps.segment(soup, loose)
+    for call in (ps.segment, ps.segmentation):
+        with pytest.warns(ps.RepairWarning, match="^faces: among 20 there are hardly any faces that share edges") as seen:
+            call(soup, loose)
+        assert seen[0].filename == __file__  # the line of the caller
     with pytest.warns(ps.RepairWarning, match=f"^faces: among {2 * len(TRIANGLES)} there are {len(TRIANGLES)} duplicate"):
         ps.segment(POINTS, np.concatenate([TRIANGLES, TRIANGLES]), 7)
     with warnings.catch_warnings():

@@ -206,9 +206,15 @@ void test_failed_writing()
 
   put(ids, *std::prev(faces(mesh).end()), -1);
   CGAL_CHECK(!CGAL::IO::write_SEG((folder.path / "a.seg").string(), mesh, ids));
+  CGAL_CHECK_EQUAL(folder.number_of_files(), 0);
   std::ostringstream out;
   CGAL_CHECK(!CGAL::IO::write_SEG(out, mesh, ids));
   CGAL_CHECK(out.str().empty());
+
+  const fs::path before = folder.path / "before.seg";
+  std::ofstream(before) << "0";
+  CGAL_CHECK(!CGAL::IO::write_SEG(before.string(), mesh, ids));
+  CGAL_CHECK_EQUAL(fs::file_size(before), 1);
 }
 
 // As by all functions of CGAL that write files: the file itself is written, whatever may be made or replaced beside it.

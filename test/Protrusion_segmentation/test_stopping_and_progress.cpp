@@ -17,7 +17,9 @@
 #include <functional>
 #include <memory>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 using namespace test_meshes;
@@ -213,9 +215,71 @@ void check_given_tips(const Mesh& mesh, const Method& method)
   CGAL_CHECK(recorder.questions > tips.size());
 }
 
+// With a number of segments, each of them moves progress on.
+void check_progress_to_a_large_number(const Mesh& mesh)
+{
+  Recorder<Mesh> recorder;
+  checked(mesh, [&](auto ids)
+          { return CGAL::segmentation_via_protrusion_tips(mesh, ids, 10, parameters::visitor(std::ref(recorder))); });
+  std::set<double> late;
+  for (double share : recorder.shares)
+    if (0.6 < share && share < 0.95)
+      late.insert(share);
+  CGAL_CHECK(late.size() > 5);
+}
+
+// A visitor is told of tips that nothing is cut off at, too.
+void check_tips_alone(const Mesh& mesh)
+{
+  Recorder<Mesh> recorder;
+  std::vector<Mesh::Face_index> tips;
+  CGAL::protrusion_tips(mesh, 4, std::back_inserter(tips), parameters::visitor(std::ref(recorder)));
+  CGAL_CHECK_EQUAL(tips.size(), 4);
+  CGAL_CHECK(recorder.tips() == tips);
+  CGAL_CHECK_EQUAL(recorder.stages["tips"], 1);
+}
+
+struct Throwing_observer : internal::Observer
+{
+  bool go_further() override { throw std::domain_error("asked"); }
+  void progress(double) override { throw std::domain_error("told"); }
+};
+
+// What a visitor throws stops other threads, too.
+template <typename Call>
+void check_that_other_threads_stop(Call call)
+{
+  Throwing_observer observer;
+  Execution execution(observer, 0, true);
+  const auto stops = [&]()
+  {
+    bool is_stopped = false;
+    std::thread([&]()
+                {
+                  try
+                  {
+                    execution.check();
+                  }
+                  catch (const Segmentation_stopped&)
+                  {
+                    is_stopped = true;
+                  }
+                })
+      .join();
+    return is_stopped;
+  };
+  CGAL_CHECK(!stops());
+  CGAL_CHECK_THROWS_AS(call(execution), std::domain_error);
+  CGAL_CHECK(stops());
+}
+
 int main()
 {
+  check_that_other_threads_stop([](Execution& execution) { execution.check(); });
+  check_that_other_threads_stop([](Execution& execution) { execution.progress(0.5); });
   const Mesh mesh = to_graph<Mesh>(star(4));
+  check_progress_to_a_large_number(mesh);
+  check_tips_alone(mesh);
   CGAL_CHECK(mesh.number_of_faces() > 3000);
   check_default_method(mesh);
   check_given_tips(mesh, Histogram_method());

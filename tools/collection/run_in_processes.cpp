@@ -29,12 +29,13 @@ namespace tool
 namespace
 {
 
-// A child sends a letter for `is_failure`, then the text, in one piece that a pipe is sure to hold.
+// A child sends a letter for `is_failure`, the warning, a null, and the text, in one piece that a pipe is sure to hold.
 constexpr char done_letter = 'd', failed_letter = 'f';
 
 void send(int pipe, const Outcome& outcome)
 {
-  const std::string message = ((outcome.is_failure ? failed_letter : done_letter) + outcome.text).substr(0, PIPE_BUF);
+  const std::string message =
+    ((outcome.is_failure ? failed_letter : done_letter) + outcome.warning + '\0' + outcome.text).substr(0, PIPE_BUF);
   [[maybe_unused]] const ssize_t sent = write(pipe, message.data(), message.size());
 }
 
@@ -108,8 +109,9 @@ public:
     m_running.erase(ended);
     const std::string message = received(running.pipe);
     close(running.pipe);
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && !message.empty())
-      m_tell(running.task, {message[0] == failed_letter, message.substr(1)});
+    const std::size_t null = message.find('\0');
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 0 && null != message.npos)
+      m_tell(running.task, {message[0] == failed_letter, message.substr(null + 1), message.substr(1, null - 1)});
     else
       m_tell(running.task, {true, reason_of_end(status)});
   }

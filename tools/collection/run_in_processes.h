@@ -17,6 +17,7 @@ struct Outcome
 {
   bool is_failure;
   std::string text;
+  std::string warning = {};
 };
 
 using Task = std::function<Outcome(std::size_t)>; // no exception leaves it

@@ -47,8 +47,8 @@ public:
       m_bar(!is_quiet && is_standard_error_a_terminal())
   {}
 
-  // One mesh is done, and this is its line; a warning has one of its own.
-  void tell(const std::string& line, bool is_error, const std::string& warning = "")
+  // One mesh is done, and this is its line; warnings have lines of their own, one of them also if it is quiet.
+  void tell(const std::string& line, bool is_error, const std::string& note = "", const std::string& warning = "")
   {
     ++m_number_of_told;
     m_bar.clear();
@@ -58,7 +58,9 @@ public:
       std::cerr << place << line << std::endl;
     else if (!m_is_quiet)
       std::cout << place << line << std::endl;
-    if (!warning.empty() && !m_is_quiet)
+    if (!note.empty() && !m_is_quiet)
+      std::cerr << place << note << std::endl;
+    if (!warning.empty() && m_is_quiet) // else it is in the line
       std::cerr << place << warning << std::endl;
     m_bar.show(double(m_number_of_told) / double(m_number_of_meshes), place);
   }
@@ -157,13 +159,16 @@ private:
     return fs::path(m_command_line.output_folder) / mesh.name;
   }
 
+  // Is there a file for each segment in a format?
+  bool is_in_parts(const std::string& format) const
+  {
+    return !m_options.caps.empty() && format != "html" && holds_a_mesh("mesh." + format) && !holds_parts("mesh." + format);
+  }
+
   // What was written in a format, or the first part of it.
   fs::path output(const Mesh_in_collection& mesh, const std::string& format) const
   {
-    return m_options.caps.empty() || format == "html" || !holds_a_mesh("mesh." + format) ||
-               holds_parts("mesh." + format)
-             ? path(mesh, format)
-             : folder_of_parts(mesh) / ("0." + format);
+    return is_in_parts(format) ? folder_of_parts(mesh) / ("0." + format) : path(mesh, format);
   }
 
   // What is there of the mesh in formats that its record does not go with, and could pass for segments that it tells of.
@@ -176,12 +181,30 @@ private:
     std::error_code ignored;
     std::string others;
     std::size_t number = 0;
-    for (const std::string& extension : output_extensions())
+    std::vector<std::string> extensions = output_extensions();
+    extensions.push_back(".html");
+    for (const std::string& extension : extensions)
       if (const fs::path other = path(mesh, extension.substr(1));
           fs::exists(other, ignored) && known.count(place_of_file(other.string())) == 0)
         others += (number++ == 0 ? "" : ", ") + other.string();
     return number == 0 ? ""
                        : others + (number == 1 ? " is" : " are") + " of another run than " + path(mesh, "json").string();
+  }
+
+  // What is there of parts of an earlier run with more segments.
+  std::string note_on_other_parts(const Mesh_in_collection& mesh) const
+  {
+    std::string notes;
+    const Json segments = record_of(mesh).value("segments", Json());
+    if (!segments.is_number_unsigned())
+      return notes;
+    for (const std::string& format : m_command_line.formats)
+      if (is_in_parts(format))
+        if (const std::string note =
+              note_on_further_parts((folder_of_parts(mesh) / ("%d." + format)).string(), segments.get<std::size_t>());
+            !note.empty())
+          notes += (notes.empty() ? "" : "; ") + note;
+    return notes;
   }
 
   // No exception leaves it. The text does not name the mesh.
@@ -205,7 +228,8 @@ private:
       names.json = path(mesh, "json").string();
       names.have_numbers = false;
       write_findings(findings, names);
-      return {false, summary(findings) + (findings.note.empty() ? "" : " (" + findings.note + ")")};
+      return {false, summary(findings) + (findings.note.empty() ? "" : " (" + findings.note + ")"),
+              note_on_missing_segments(findings)};
     }
     catch (const std::bad_alloc&)
     {
@@ -223,13 +247,18 @@ private:
     if (outcome.is_failure)
       fail(mesh, mesh.input + ": " + outcome.text);
     else
-      tell_done(mesh, outcome.text, m_command_line.formats);
+      tell_done(mesh, outcome.text, m_command_line.formats, outcome.warning);
   }
 
-  void tell_done(const Mesh_in_collection& mesh, const std::string& text, const std::vector<std::string>& formats)
+  void tell_done(const Mesh_in_collection& mesh,
+                 const std::string& text,
+                 const std::vector<std::string>& formats,
+                 const std::string& warning = "")
   {
-    const std::string others = note_on_other_files(mesh, formats), name = mesh.input + ": ";
-    m_teller.tell(name + text, false, others.empty() ? "" : name + others);
+    const std::string name = mesh.input + ": ", parts = note_on_other_parts(mesh);
+    std::string others = note_on_other_files(mesh, formats);
+    others += (others.empty() || parts.empty() ? "" : "; ") + parts;
+    m_teller.tell(name + text, false, others.empty() ? "" : name + others, warning.empty() ? "" : name + warning);
   }
 
   Json record_of(const Mesh_in_collection& mesh) const

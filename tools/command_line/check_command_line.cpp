@@ -147,8 +147,8 @@ void check_formats_of_options(const CLI::App& app, const Command_line& command_l
     throw std::invalid_argument("--triangulate has no meaning without an output of a mesh");
   check_option("--one-object", {".glb", ".gltf"}, "glTF");
   check_option("--array-name", {".vtp"}, "VTP");
-  check_option("--colors", {".ply", ".obj", ".glb", ".gltf"}, "PLY, OBJ or glTF");
   extensions.insert(lower_case_extension(command_line.rig));
+  check_option("--colors", {".ply", ".obj", ".glb", ".gltf"}, "PLY, OBJ or glTF");
   check_option("--up", {".glb", ".gltf", ".usda"}, "glTF or USD");
 }
 

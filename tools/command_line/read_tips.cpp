@@ -27,11 +27,8 @@ Json read_object(const std::string& file)
   return content.is_object() ? content : Json::object();
 }
 
-} // namespace
-
-std::vector<std::size_t> read_tips(const std::string& file)
+std::vector<std::size_t> tips_in(const Json& list, const std::string& file)
 {
-  const Json list = read_object(file).value("tips", Json());
   if (!list.is_array())
     throw Error(file, "has no array of tips, as in {\"tips\": [12, 345]}");
   if (list.empty())
@@ -46,9 +43,8 @@ std::vector<std::size_t> read_tips(const std::string& file)
   return tips;
 }
 
-std::vector<Named_segment> read_names(const std::string& file)
+std::vector<Named_segment> names_in(const Json& list, const std::string& file)
 {
-  const Json list = read_object(file).value("names", Json::array());
   if (!list.is_array())
     throw Error(file, "has no array of names, as in {\"names\": [{\"face\": 12, \"name\": \"tail\"}]}");
   std::vector<Named_segment> names;
@@ -64,6 +60,19 @@ std::vector<Named_segment> read_names(const std::string& file)
     names.push_back(named);
   }
   return names;
+}
+
+} // namespace
+
+std::vector<Named_segment> read_names(const std::string& file)
+{
+  return names_in(read_object(file).value("names", Json()), file);
+}
+
+Picked_tips read_tips(const std::string& file)
+{
+  const Json content = read_object(file);
+  return {tips_in(content.value("tips", Json()), file), names_in(content.value("names", Json::array()), file)};
 }
 
 } // namespace tool

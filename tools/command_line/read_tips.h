@@ -15,9 +15,6 @@ namespace tool
 
 // What a page of --report saves. Both throw an `Error` that names file and cause.
 
-// Numbers of faces: {"tips": [12, 345]}
-std::vector<std::size_t> read_tips(const std::string& file);
-
 // The segment with this number, or that of this face
 struct Named_segment
 {
@@ -25,8 +22,17 @@ struct Named_segment
   std::string name;
 };
 
-// None if there is no such array: {"names": [{"face": 12, "name": "tail"}, {"segment": 3, "name": "left ear"}]}
+// {"names": [{"face": 12, "name": "tail"}, {"segment": 3, "name": "left ear"}]}
 std::vector<Named_segment> read_names(const std::string& file);
+
+struct Picked_tips
+{
+  std::vector<std::size_t> faces;
+  std::vector<Named_segment> names;
+};
+
+// Numbers of faces, and names if there are any: {"tips": [12, 345], "names": [...]}
+Picked_tips read_tips(const std::string& file);
 
 } // namespace tool
 

@@ -40,12 +40,11 @@ public:
   }
 
 private:
-  // The path of a folder may end with a backslash.
+  // It may have a # in it, and the path of a folder may end with a backslash.
   static bool is_a_name(std::string_view line)
   {
     const std::string_view keyword = take_word(line);
-    return keyword.front() == '#' || keyword == "o" || keyword == "g" || keyword == "mtllib" ||
-           keyword == "usemtl";
+    return keyword == "o" || keyword == "g" || keyword == "mtllib" || keyword == "usemtl";
   }
 
   // A line that ends with a backslash goes on in the next one.
@@ -53,7 +52,7 @@ private:
   {
     const std::size_t number = lines.line_number();
     std::string_view line = trim(lines.line());
-    if (line.empty() || line.back() != '\\' || is_a_name(line))
+    if (line.empty() || line.back() != '\\' || line.front() == '#' || is_a_name(line))
       return add_statement(line, number);
     std::string joined;
     for (; !line.empty() && line.back() == '\\'; line = lines.next() ? trim(lines.line()) : "")
@@ -64,7 +63,8 @@ private:
 
   void add_statement(std::string_view line, std::size_t number)
   {
-    line = without_comment(line);
+    if (!is_a_name(line))
+      line = without_comment(line);
     std::string_view words = line;
     const std::string_view keyword = take_word(words);
     m_attributes.add(keyword, words);

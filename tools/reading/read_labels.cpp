@@ -61,7 +61,9 @@ std::vector<double> read_NPY(const std::string& bytes)
   if (type.size() != 3 || (type[1] != 'i' && type[1] != 'u') || !is_vector || !count)
     throw Format_error("is no array of integers of one dimension");
   const auto size = static_cast<std::size_t>(type[2] - '0');
-  if (size > 8 || bytes.size() < begin + length || (bytes.size() - begin - length) / size < *count)
+  if (size == 0 || size > 8)
+    throw Format_error("has integers of " + type.substr(2) + " bytes");
+  if (bytes.size() < begin + length || (bytes.size() - begin - length) / size < *count)
     throw Format_error("ends too early");
   std::vector<double> values;
   for (std::size_t i = 0; i < *count; ++i)

@@ -5,7 +5,6 @@
 #include "segmentation/name_segments.h"
 
 #include "command_line/Error.h"
-#include "command_line/read_tips.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -29,12 +28,12 @@ bool is_tip_in_body(const Findings& findings, std::size_t face, std::size_t segm
 
 } // namespace
 
-void name_segments(Findings& findings, const std::string& file)
+void name_segments(Findings& findings, const std::vector<Named_segment>& names, const std::string& file)
 {
   findings.names.resize(findings.segmentation.number_of_segments);
   const std::vector<std::size_t> segment_of_face = labels_of_file(findings.segmentation.segment_ids,
                                                                   findings.mesh);
-  for (const Named_segment& named : read_names(file))
+  for (const Named_segment& named : names)
   {
     if (named.face && *named.face >= segment_of_face.size())
       throw Error(file, "names the segment of face " + std::to_string(*named.face) + ", but there are " +

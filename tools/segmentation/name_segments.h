@@ -5,14 +5,16 @@
 #ifndef PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_NAME_SEGMENTS_H
 #define PROTRUSION_SEGMENTATION_TOOLS_SEGMENTATION_NAME_SEGMENTS_H
 
+#include "command_line/read_tips.h"
 #include "segmentation/Findings.h"
 
 #include <string>
+#include <vector>
 
 namespace tool {
 
-// Gives segments the names in a file of --names or --tips. Throws an `Error` if the file names what is not there.
-void name_segments(Findings& findings, const std::string& file);
+// Gives segments the names in a file of --names or --tips. Throws an `Error` if these name what is not there.
+void name_segments(Findings& findings, const std::vector<Named_segment>& names, const std::string& file);
 
 } // namespace tool
 

@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -89,6 +90,63 @@ void check_companions(const Output_names& names, const Findings& findings)
           throw Error(companion, "is a material library of the input; '" + name + "' would replace it");
 }
 
+// Takes the soup of the file, as large as the meshes that are written, and gives it back also if writing fails.
+struct Borrowed_soup
+{
+  explicit Borrowed_soup(Findings& findings)
+    : owner(findings.mesh.soup),
+      segmented{std::move(findings.mesh.soup), labels_of_file(findings.segmentation.segment_ids, findings.mesh), {}, findings.names}
+  {}
+  Borrowed_soup(const Borrowed_soup&) = delete;
+  Borrowed_soup& operator=(const Borrowed_soup&) = delete;
+  ~Borrowed_soup() { owner = std::move(segmented.soup); }
+
+  Polygon_soup& owner;
+  Segmented_soup segmented;
+};
+
+// `begin(name)` is called before each file.
+void write_meshes(Findings& findings,
+                  const Output_names& names,
+                  const std::function<void(const std::string&)>& begin,
+                  Output_files& files)
+{
+  const Borrowed_soup borrowed(findings);
+  const Segmented_soup& segmented = borrowed.segmented;
+  if (names.caps == Caps::FLAT || names.caps == Caps::FAIRED)
+    findings.add_note(note_on_boundary(findings.mesh.mesh));
+  findings.add_note(note_on_single_precision(names.segments, segmented.soup));
+  const bool has_parts = std::any_of(names.segments.begin(), names.segments.end(),
+                                     [&](const std::string& name)
+                                     { return is_closed(name, names, findings); });
+  const std::vector<Segmented_soup> closed = has_parts
+                                               ? make_closed_parts(findings, segmented.soup, names.caps)
+                                               : std::vector<Segmented_soup>();
+  const Segmented_soup cut = findings.smoothed ? soup_of(findings, segmented.soup) : Segmented_soup();
+  for (const std::string& name : names.segments)
+  {
+    begin(name);
+    const Segmented_soup& whole = findings.smoothed && holds_a_mesh(name) ? cut : segmented;
+    const std::vector<std::string> parts = part_names(name, names, findings);
+    const Format_options& options = findings.options.formats;
+    if (parts.empty() && is_closed(name, names, findings))
+      add_output_of_parts(name, closed, files);
+    else if (parts.empty())
+      add_output(name, whole, options, files);
+    else if (names.caps != Caps::NONE)
+      add_parts(parts, closed, options, files);
+    else
+      add_parts(parts, parts_of(whole, findings.segmentation.number_of_segments), options, files);
+  }
+  if (!names.rig.empty())
+  {
+    begin(names.rig);
+    const Output output = {findings.smoothed ? cut : segmented, findings.options.formats, {}, {}};
+    files.add(names.rig, [&](std::ostream& out)
+              { write_rig(out, output, find_skeleton(findings), lower_case_extension(names.rig) == ".glb"); });
+  }
+}
+
 } // namespace
 
 Caps caps_of_name(const std::string& name)
@@ -122,45 +180,8 @@ void write_findings(Findings& findings, const Output_names& names, const Recorde
       progress(end_of_segmentation + (1 - end_of_segmentation) * double(number_of_begun++) / all,
                "writing " + name, findings.segmentation.record.protrusions().size());
   };
-  Segmented_soup segmented = {
-    std::move(findings.mesh.soup), // until the meshes are written: as large as they are
-    labels_of_file(findings.segmentation.segment_ids, findings.mesh),
-    {},
-    findings.names};
-  if (names.caps == Caps::FLAT || names.caps == Caps::FAIRED)
-    findings.add_note(note_on_boundary(findings.mesh.mesh));
-  findings.add_note(note_on_single_precision(names.segments, segmented.soup));
-  const bool has_parts = std::any_of(names.segments.begin(), names.segments.end(),
-                                     [&](const std::string& name)
-                                     { return is_closed(name, names, findings); });
-  const std::vector<Segmented_soup> closed = has_parts
-                                               ? make_closed_parts(findings, segmented.soup, names.caps)
-                                               : std::vector<Segmented_soup>();
-  const Segmented_soup cut = findings.smoothed ? soup_of(findings, segmented.soup) : Segmented_soup();
   Output_files files;
-  for (const std::string& name : names.segments)
-  {
-    begin(name);
-    const Segmented_soup& whole = findings.smoothed && holds_a_mesh(name) ? cut : segmented;
-    const std::vector<std::string> parts = part_names(name, names, findings);
-    const Format_options& options = findings.options.formats;
-    if (parts.empty() && is_closed(name, names, findings))
-      add_output_of_parts(name, closed, files);
-    else if (parts.empty())
-      add_output(name, whole, options, files);
-    else if (names.caps != Caps::NONE)
-      add_parts(parts, closed, options, files);
-    else
-      add_parts(parts, parts_of(whole, findings.segmentation.number_of_segments), options, files);
-  }
-  if (!names.rig.empty())
-  {
-    begin(names.rig);
-    const Output output = {findings.smoothed ? cut : segmented, findings.options.formats, {}, {}};
-    files.add(names.rig, [&](std::ostream& out)
-              { write_rig(out, output, find_skeleton(findings), lower_case_extension(names.rig) == ".glb"); });
-  }
-  findings.mesh.soup = std::move(segmented.soup);
+  write_meshes(findings, names, begin, files);
   if (!names.report.empty())
   {
     begin(names.report);

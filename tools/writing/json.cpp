@@ -4,13 +4,11 @@
 
 #include "writing/json.h"
 
+#include "reading/polygon_area.h"
 #include "writing/Json_object.h"
 #include "writing/borders.h"
 #include "writing/peak_memory.h"
 #include "writing/skeleton.h"
-
-#include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/polygon_measures.h>
 
 #include <nlohmann/json.hpp>
 
@@ -92,16 +90,12 @@ Json describe_stages(const Findings& findings)
   return array;
 }
 
-// Huge and tiny ones, too: the square is no number there.
 double area(const Polygon_soup& soup, const Corners& polygon)
 {
-  namespace internal = CGAL::Protrusion_segmentation::internal;
-
   std::vector<Point> corners;
   for (const std::size_t i : polygon)
     corners.push_back(soup.points[i]);
-  const int exponent = internal::scale_to_unit(corners);
-  return std::ldexp(std::sqrt(internal::polygon_area_vector(corners).squared_length()), 2 * exponent);
+  return polygon_area(std::move(corners));
 }
 
 // Faces of the file, duplicate and degenerate ones among them; the area counts duplicates once.

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
+#include <ostream>
 #include <random>
 #include <string>
 #include <system_error>
@@ -104,31 +104,6 @@ inline std::filesystem::path target_of_links(std::filesystem::path file)
   for (int i = 0; i < most_links && fs::is_symlink(file, error); ++i)
     file = file.parent_path() / fs::read_symlink(file, error); // which is the latter, if that is absolute
   return file;
-}
-
-// Writes what `write(std::ostream&)` writes to `file_name`; returns false if that fails, and leaves
-// the file that was there, if any. Links are followed; devices and pipes are written directly.
-template <typename Write>
-bool write_complete_file(const std::string& file_name, const Write& write)
-{
-  namespace fs = std::filesystem;
-
-  if (is_standard_output(file_name))
-  {
-    std::ostream out(std::cout.rdbuf()); // with a format of its own
-    write(out);
-    return !out.flush().fail();
-  }
-  if (is_stream(file_name))
-    return write_file(file_name, write);
-  std::error_code error;
-  const fs::path target = target_of_links(file_name);
-  if (target.empty() || fs::is_symlink(target, error) || fs::is_directory(target, error))
-    return false;
-  const Temporary_file temporary(target);
-  if (!write_file(temporary.name(), write))
-    return false;
-  return !replace_file(temporary.name(), target);
 }
 
 } // namespace tool

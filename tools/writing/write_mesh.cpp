@@ -4,7 +4,6 @@
 
 #include "writing/write_mesh.h"
 
-#include "command_line/Error.h"
 #include "reading/lower_case_extension.h"
 #include "writing/write_output.h"
 
@@ -13,32 +12,51 @@
 #include <CGAL/boost/graph/IO/PLY.h>
 #include <CGAL/boost/graph/IO/STL.h>
 
-#include <functional>
 #include <map>
 #include <ostream>
+#include <string>
 
 namespace tool
 {
 
+namespace
+{
+
+using Writer = void (*)(std::ostream&, const Mesh&);
+
+constexpr int number_of_digits = 9;
+
+const std::map<std::string, Writer>& writers()
+{
+  static const std::map<std::string, Writer> result = {
+      {".off", [](std::ostream& out, const Mesh& mesh)
+       { CGAL::IO::write_OFF(out, mesh, CGAL::parameters::stream_precision(number_of_digits)); }},
+      {".obj", [](std::ostream& out, const Mesh& mesh)
+       { CGAL::IO::write_OBJ(out, mesh, CGAL::parameters::stream_precision(number_of_digits)); }},
+      {".ply", [](std::ostream& out, const Mesh& mesh)
+       {
+         CGAL::IO::set_binary_mode(out);
+         CGAL::IO::write_PLY(out, mesh);
+       }},
+      {".stl", [](std::ostream& out, const Mesh& mesh)
+       {
+         CGAL::IO::set_binary_mode(out);
+         CGAL::IO::write_STL(out, mesh);
+       }}};
+  return result;
+}
+
+} // namespace
+
+bool can_write_mesh(const std::string& file_name)
+{
+  return writers().count(lower_case_extension(file_name)) > 0;
+}
+
 void write_mesh(const std::string& file_name, const Mesh& mesh)
 {
-  const auto precision = CGAL::parameters::stream_precision(9);
-  const std::map<std::string, std::function<void(std::ostream&)>> writers = {
-      {".off", [&](std::ostream& out) { CGAL::IO::write_OFF(out, mesh, precision); }},
-      {".obj", [&](std::ostream& out) { CGAL::IO::write_OBJ(out, mesh, precision); }},
-      {".ply",
-       [&](std::ostream& out) {
-         CGAL::IO::set_binary_mode(out);
-         CGAL::IO::write_PLY(out, mesh, precision);
-       }},
-      {".stl", [&](std::ostream& out) {
-         CGAL::IO::set_binary_mode(out);
-         CGAL::IO::write_STL(out, mesh, precision);
-       }}};
-  const auto writer = writers.find(lower_case_extension(file_name));
-  if (writer == writers.end())
-    throw Error(file_name, "cannot be written: only .off, .ply, .obj and .stl are known");
-  write_output(file_name, writer->second);
+  const Writer write = writers().at(lower_case_extension(file_name));
+  write_output(file_name, [&](std::ostream& out) { write(out, mesh); });
 }
 
 } // namespace tool

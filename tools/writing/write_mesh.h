@@ -12,7 +12,10 @@
 namespace tool
 {
 
-// Writes a mesh in the format that the extension of the name says; or throws an `Error`.
+// Has the name the extension of a format?
+bool can_write_mesh(const std::string& file_name);
+
+// Writes a mesh in the format that the extension of the name says, which there is; or throws an `Error`.
 void write_mesh(const std::string& file_name, const Mesh& mesh);
 
 } // namespace tool

@@ -5,7 +5,7 @@
 #include "writing/write_output.h"
 
 #include "command_line/Error.h"
-#include "writing/write_complete_file.h"
+#include "writing/Output_files.h"
 
 #include <iostream>
 
@@ -14,8 +14,9 @@ namespace tool
 
 void write_output(const std::string& file_name, const std::function<void(std::ostream&)>& write)
 {
-  if (!write_complete_file(file_name, write))
-    throw Error(file_name, "cannot be written");
+  Output_files files;
+  files.add(file_name, write);
+  files.publish();
 }
 
 void finish_standard_output()

@@ -13,6 +13,7 @@
 
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <string>
 
 namespace CGAL {
@@ -44,7 +45,7 @@ reads the segment ids of the faces of `pmesh` from a stream, up to its end.
 
 \return `true` if there is exactly one id for each face and each fits the value type. Otherwise `segment_ids`
         is left as it was: too few or too many ids, a negative one, one too large, or anything that is not an
-        id. That throws nothing.
+        id. That throws nothing, unless the stream was told to.
 
 Complexity: linear in the length of the input.
 */
@@ -147,10 +148,13 @@ writes the segment ids of the faces of `pmesh` to a file.
 template <typename FaceGraph, typename SegmentIdMap>
 bool write_SEG(const std::string& fname, const FaceGraph& pmesh, const SegmentIdMap& segment_ids)
 {
+  std::ostringstream content; // a file that is there is only replaced by a whole one
+  if (!write_SEG(content, pmesh, segment_ids))
+    return false;
   std::ofstream os(fname, std::ios::binary); // lines end alike everywhere
-  const bool is_written = write_SEG(os, pmesh, segment_ids);
+  os << content.str();
   os.close();
-  return is_written && !os.fail();
+  return !os.fail();
 }
 
 } // namespace IO

@@ -48,11 +48,12 @@ public:
       if (m_is_cancelled)
         throw Segmentation_stopped();
     }
-    else if (!m_observer.go_further())
-    {
-      m_is_cancelled = true;
-      throw Segmentation_stopped();
-    }
+    else
+      ask([this]()
+          {
+            if (!m_observer.go_further())
+              throw Segmentation_stopped();
+          });
   }
 
   /// tells how much is done of the work that was begun last, such as the preparation of a distance, and calls `check()`.
@@ -64,7 +65,7 @@ public:
     {
       const double clamped = (std::min)((std::max)(share, 0.), 1.);
       m_share = (std::max)(m_share, m_begin + clamped * (m_end - m_begin));
-      m_observer.progress(m_share);
+      ask([this]() { m_observer.progress(m_share); });
     }
     check();
   }
@@ -104,6 +105,21 @@ public:
 #endif
 
 private:
+  // What a visitor throws ends the work of the other threads, too.
+  template <typename Ask>
+  void ask(Ask ask)
+  {
+    try
+    {
+      ask();
+    }
+    catch (...)
+    {
+      m_is_cancelled = true;
+      throw;
+    }
+  }
+
   bool is_own_thread() const { return std::this_thread::get_id() == m_thread; }
 
   internal::Observer m_silent_observer;

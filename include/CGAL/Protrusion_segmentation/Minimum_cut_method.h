@@ -33,8 +33,9 @@ cuts, adds the best further cuts to each, or several sure ones at once, and take
 the end, the borders between neighboring segments become minimum cuts on the faces.
 
 If no number of segments is given, segmentation stops at the largest drop in the gain of a further cut. Hills, scales and
-pockets, which face in one direction as a whole, hardly count. A surface is one segment if none of the cuts is distinct: if it
-widens beside none of them and none lies in a deep seam. So springs, rings and knots are whole.
+pockets, which face in one direction as a whole, hardly count. A cut is distinct if the surface widens
+beside it or if it lies in a deep seam. A surface is one segment if distinct cuts have at most a quarter of the sum of the
+values. So springs, rings and knots are whole.
 
 A flat component, whose faces all have the same normal, is segmented by its outline.
 
@@ -43,10 +44,12 @@ further segment goes to the component where it gains most.
 
 From given tips, each cuts off the protrusion with the best border around this tip and no other one, with no more than
 half of the area of the component. If there are fewer than six tips on a component, further ones are selected as far as
-possible from all others. They limit the protrusions of the given tips and get no segments of their own.
+possible from all others, in the method's own distance. They limit the protrusions of the given tips and get no segments of
+their own.
 
 By default, tips and level sets come from a distance that the method measures on its coarse graph, in which paths across
-concave seams are longer than on the surface. With a distance of choice, they come from that distance on the faces.
+concave seams are longer than on the surface. With a distance of choice, they come from that distance on the faces, but for the
+borders of given tips.
 Segments of less than 0.25 % of the area of a component are not cut off: a component has at most 400 segments.
 
 With `CGAL::Parallel_tag`, several threads search for cuts if the distance is the method's own; the labels are the same.

@@ -27,7 +27,8 @@ not; so is its probability.
 
 Values depend on the method, see `Protrusion::value`. For `Minimum_cut_method` they tell how much a cut brought: of
 equal arms, the one that was cut off last has the least value. Probabilities are calibrated: on the meshes on which they were
-measured, people drew about 70 % of the borders that have a probability of .7.
+measured, people put about 70 % of the pairs of points on two sides of borders with a probability of .7 into different
+segments.
 
 It has all functions of `ProtrusionSegmentationVisitor`. A class that derives from it and defines one of them calls the
 function of this class first.

@@ -38,7 +38,7 @@ finds the borders between segments as lines of edges. The boundary of the mesh i
 
 Throws nothing of its own.
 
-Complexity: linear in the number of edges, and in the sum of the squares of the numbers of border edges at a vertex.
+Complexity: linear in the number of edges, and O(n log n) for n borders.
 */
 template <typename FaceGraph,
           typename SegmentMap,

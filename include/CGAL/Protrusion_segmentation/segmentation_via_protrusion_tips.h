@@ -25,7 +25,7 @@ splits a surface mesh into a body and its protrusions, by `Protrusion_segmentati
 the number of segments: it stops if no protrusion remains.
 
 Segment ids are 0 to n-1, where n is the returned number. The first ids are those of the bodies, one in each connected
-component, the largest body first. The others are those of protrusions. The last ones are those that `protrusion_hierarchy()` joins first. The
+component, that of the largest component first. The others are those of protrusions. The last ones are those that `protrusion_hierarchy()` joins first. The
 ids depend on the positions of the faces and not on the order of `faces(pmesh)`, except for faces with the same centroid.
 
 Every segment is a connected set of faces, except for <em>small components</em>, such as the dust of a scanner. These are

@@ -81,7 +81,7 @@ lost or torn, such as one that is a single triangle wide, keeps its faces, and t
   \cgalParamNEnd
 \cgalNamedParamsEnd
 
-\return the number of segments that keep their faces, since they would have been lost or torn
+\return the number of segments that keep their faces: those that would have been lost or torn, or all if there is no iteration
 
 \throw std::invalid_argument if a coordinate is not finite, if two edges have the same two ends, or if the number of
        iterations is negative; nothing is added to `output` then

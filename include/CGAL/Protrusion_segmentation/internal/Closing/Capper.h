@@ -24,7 +24,7 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// The mesh that is closed, with the vertices and faces of the user's in their order.
+// The mesh that is closed, a copy of the user's.
 using Mesh_to_close = Surface_mesh<Simple_cartesian<double>::Point_3>;
 
 using Loop = std::vector<std::size_t>;            // numbers of vertices

@@ -77,7 +77,7 @@ private:
            !inside[segment(m_mesh.opposite(h))];
   }
 
-  // None if the walk ends at a border of the mesh.
+  // None if the walk ends at a border of the mesh, maybe behind another one that did.
   Loop walk_from(Mesh_to_close::Halfedge_index first,
                  const std::vector<bool>& inside,
                  std::set<Mesh_to_close::Halfedge_index>& seen) const
@@ -96,6 +96,8 @@ private:
           return {};
         h = m_mesh.next(h);
       }
+      if (h != first && seen.count(h) > 0)
+        return {};
     } while (h != first);
     return walk;
   }

@@ -75,7 +75,7 @@ public:
   // the search until they are cut off: the most valuable cuts of the automatic segmentation may be worth more.
   Cut_set cuts_into(std::size_t number_of_segments)
   {
-    if (number_of_segments > 1 && m_beam.knows_more_sure_cuts_than(number_of_segments))
+    if (number_of_segments > 1 && m_beam.knew_more_sure_cuts_than(number_of_segments))
       if (const std::size_t automatic = automatic_number(); automatic > number_of_segments)
         if (Cut_set found = most_valuable_cuts(*m_beam.best(automatic), number_of_segments - 1);
             found.segments.size() == number_of_segments && found.value > m_beam.best(number_of_segments)->value)
@@ -134,7 +134,7 @@ private:
   Index searched_face(Index face) const { return m_divided ? m_divided->first_piece(face) : face; }
 
   // The cuts of a known segmentation if the tips of all its protrusions are picked, and at most a quarter more: the tips of a
-  // result give that result. Else those of the automatic one. Puts the tips that have a cut first, in the order of the cuts.
+  // result give that result. Else those of the automatic one. Puts the tips that have a cut first.
   Cut_set known_cuts(std::vector<Index>& tips)
   {
     for (std::size_t number = tips.size() + 1; number > 1 && 4 * (number - 1) >= 3 * tips.size(); --number)
@@ -216,10 +216,7 @@ private:
       return false;
     Graph_partition partition(m_graphs.coarse);
     partition.select(from);
-    Cut cut;
-    cut.inner = partition.connect_sides(from.nodes, inner);
-    cut.probability = segments.cut(segment)->probability;
-    set = set.with(m_beam.memo().made_cut(id, cut, segments.cut(segment)->value));
+    set = set.with(m_beam.memo().made_cut(id, partition.connect_sides(from.nodes, inner), *segments.cut(segment)));
     return true;
   }
 

@@ -13,7 +13,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Component_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/describe_protrusions.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/numbers_of_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/share_out_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_side_by_side.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
@@ -77,7 +77,7 @@ public:
     std::vector<Component*> components;
     for (const Loaded& one : loaded)
       components.push_back(one.component.get());
-    const std::vector<std::size_t> numbers = numbers_of_segments(components, k, m_execution);
+    const std::vector<std::size_t> numbers = share_out_segments(components, k, m_execution);
     for (std::size_t c = 0; c < n; ++c)
     {
       append(c, find_segments(c, loaded[c], loaded[c].component->cuts_into(numbers[c]), m_execution));
@@ -88,8 +88,8 @@ public:
 
   Nested_segments with_automatic_number()
   {
-    m_leaves_convex_whole = true;
-    return each_by_itself([](Loaded& loaded, std::size_t)
+    return each_by_itself([this](const Loaded& loaded, std::size_t) { return is_convex(loaded.surface(*this)); },
+                          [](Loaded& loaded, std::size_t)
                           { return *loaded.component->best(loaded.component->automatic_number()); });
   }
 
@@ -102,7 +102,8 @@ public:
       const auto position = std::lower_bound(faces.begin(), faces.end(), tip) - faces.begin();
       tips[m_components.labels()[tip]].push_back(static_cast<Index>(position));
     }
-    return each_by_itself([&](Loaded& loaded, std::size_t c)
+    return each_by_itself([&](const Loaded&, std::size_t c) { return tips[c].empty(); },
+                          [&](Loaded& loaded, std::size_t c)
                           { return loaded.component->cuts_of_tips(loaded.own ? loaded.own->faces_at(tips[c]) : tips[c]); });
   }
 
@@ -144,9 +145,9 @@ private:
   }
 
   // Each component is finished before the next one, so that memory is that of the largest one: large ones first, which several
-  // threads share, then small ones, each of which has a thread. `cuts(loaded, c)`: of a component
-  template <typename Cuts>
-  Nested_segments each_by_itself(Cuts cuts)
+  // threads share, then small ones, each of which has a thread. `is_whole(loaded, c)`: whether a component needs no search; `cuts(loaded, c)`: its cuts
+  template <typename IsWhole, typename Cuts>
+  Nested_segments each_by_itself(IsWhole is_whole, Cuts cuts)
   {
     const std::size_t n = m_components.number_of_components();
     std::vector<Found> found(n);
@@ -158,12 +159,12 @@ private:
       else
       {
         const Execution::Subtask subtask(m_execution, share(done, n), share(done + 1, n));
-        found[c] = find_segments(c, cuts, m_execution);
+        found[c] = find_segments(c, is_whole, cuts, m_execution);
         ++done;
       }
     const Execution::Subtask subtask(m_execution, share(done, n), 1);
     for_each_side_by_side(side_by_side.size(), m_execution, [&](std::size_t i, Execution& execution)
-                          { found[side_by_side[i]] = find_segments(side_by_side[i], cuts, execution); });
+                          { found[side_by_side[i]] = find_segments(side_by_side[i], is_whole, cuts, execution); });
     for (std::size_t c = 0; c < n; ++c)
       append(c, std::move(found[c]));
     return result();
@@ -177,14 +178,14 @@ private:
            least_number_beside * m_components.faces(c).size() <= m_labels.size();
   }
 
-  template <typename Cuts>
-  Found find_segments(std::size_t c, Cuts cuts, Execution& execution)
+  template <typename IsWhole, typename Cuts>
+  Found find_segments(std::size_t c, IsWhole is_whole, Cuts cuts, Execution& execution)
   {
     Loaded loaded;
     {
       const Execution::Subtask preparation(execution, 0, 0.5);
       loaded.load_surface(*this, c, execution);
-      if (m_leaves_convex_whole && is_convex(loaded.surface(*this)))
+      if (is_whole(loaded, c))
         return {{0}, {}, 0};
       loaded.load_component(*this, execution);
     }
@@ -262,7 +263,6 @@ private:
   Execution& m_execution;
   Cut_options m_options;
   bool m_looks_at_protrusions;
-  bool m_leaves_convex_whole = false; // what has no cut that counts is not searched for one
   Nested_segments m_components;
   std::optional<Face_selector<Indexed_surface>> m_select; // if there are several components;
   std::mutex m_selecting;                                 // it has work arrays

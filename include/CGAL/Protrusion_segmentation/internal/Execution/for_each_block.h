@@ -57,37 +57,28 @@ void for_each_number(std::size_t n, bool parallel, Visit visit)
                  });
 }
 
-// `sum` plus `term(begin, end)` of every block, added in the order of the blocks: rounded alike with any number of
-// threads.
-template <typename Sum, typename Term>
-Sum add_blocks(std::size_t n, bool parallel, Sum sum, Term term)
-{
-  std::vector<Sum> terms(number_of_blocks(n), sum);
-  for_each_block(n, parallel,
-                 [&](std::size_t begin, std::size_t end, std::size_t block) { terms[block] = term(begin, end); });
-  for (const Sum& block : terms)
-    sum = sum + block;
-  return sum;
-}
-
 // The sum of what `add(sum, i)` adds to `zero` for every number i from 0 to n - 1, rounded alike with any number of threads.
 template <typename Sum, typename Add>
 Sum add_numbers(std::size_t n, bool parallel, Sum zero, Add add)
 {
-  return add_blocks(n, parallel, zero,
-                    [&](std::size_t begin, std::size_t end)
-                    {
-                      Sum sum = zero;
-                      for (std::size_t i = begin; i < end; ++i)
-                        add(sum, static_cast<std::uint32_t>(i));
-                      return sum;
-                    });
+  std::vector<Sum> of_blocks(number_of_blocks(n), zero);
+  for_each_block(n, parallel,
+                 [&](std::size_t begin, std::size_t end, std::size_t block)
+                 {
+                   Sum sum = zero;
+                   for (std::size_t i = begin; i < end; ++i)
+                     add(sum, static_cast<std::uint32_t>(i));
+                   of_blocks[block] = sum;
+                 });
+  Sum sum = zero;
+  for (const Sum& of_block : of_blocks)
+    sum = sum + of_block;
+  return sum;
 }
 
-// Sorts values of which no two are equivalent, so that their order is the same however it is found; by
-// `sort(begin, end)` if not parallel.
-template <typename T, typename Less, typename Sort>
-void sort_different(std::vector<T>& values, bool parallel, Less less, Sort sort)
+// Sorts values of which no two are equivalent, so that their order is the same however it is found.
+template <typename T, typename Less>
+void sort_different(std::vector<T>& values, bool parallel, Less less)
 {
 #ifdef CGAL_LINKED_WITH_TBB
   if (parallel)
@@ -97,8 +88,7 @@ void sort_different(std::vector<T>& values, bool parallel, Less less, Sort sort)
   }
 #endif
   static_cast<void>(parallel);
-  static_cast<void>(less);
-  sort(values.begin(), values.end());
+  std::sort(values.begin(), values.end(), less);
 }
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -8,6 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Surface_arrays.h>
+#include <CGAL/Protrusion_segmentation/internal/Surface/canonical_frame.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/normalize_points.h>
 #include <CGAL/Protrusion_segmentation/internal/user_points.h>
 
@@ -54,24 +55,6 @@ std::vector<Indexed_surface::Point_3> read_points(const FaceGraph& mesh,
     points.push_back(p);
   }
   return points;
-}
-
-// Makes every face begin at its lexicographically smallest point: where `halfedge(f, mesh)` begins depends on how the mesh was
-// built.
-inline void begin_at_smallest_points(Surface_arrays& arrays, bool is_parallel)
-{
-  using Index = Indexed_surface::Index;
-  for_each_number(arrays.number_of_faces(), is_parallel,
-                  [&](Index f)
-                  {
-                    const Index begin = arrays.corner_begin[f], end = arrays.corner_begin[f + 1];
-                    const auto first = arrays.corner_vertices.begin() + begin, last = arrays.corner_vertices.begin() + end;
-                    const auto neighbors = arrays.corner_neighbors.begin();
-                    const auto smallest = std::min_element(first, last, [&](Index a, Index b)
-                                                           { return arrays.points[a] < arrays.points[b]; });
-                    std::rotate(neighbors + begin, neighbors + begin + (smallest - first), neighbors + end);
-                    std::rotate(first, smallest, last);
-                  });
 }
 
 // The patches of the faces, numbered in order; none if there are fewer than two.
@@ -124,7 +107,7 @@ Surface_arrays read_arrays(const FaceGraph& mesh, const NamedParameters& np, boo
     }
     arrays.corner_begin.push_back(static_cast<Index>(arrays.corner_vertices.size()));
   }
-  begin_at_smallest_points(arrays, is_parallel);
+  start_faces_canonically(arrays, false, is_parallel); // where `halfedge(f, mesh)` begins depends on how the mesh was built
   if constexpr (!parameters::is_default_parameter<NamedParameters, internal_np::face_patch_t>::value)
     arrays.patches = read_patches(mesh, parameters::get_parameter(np, internal_np::face_patch));
   return arrays;

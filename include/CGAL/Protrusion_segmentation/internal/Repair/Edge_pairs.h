@@ -156,8 +156,8 @@ private:
     return true;
   }
 
-  // Joins those of `sides` that share their ends with one other side only. The others are returned, but for those
-  // that are alone; those with the same ends follow each other.
+  // Joins those of `sides` that share their ends with one other side only. The others are returned; those with the same
+  // ends follow each other.
   template <typename EndsOf>
   std::vector<std::size_t> join_manifold_edges(const std::vector<std::size_t>& sides,
                                                const EndsOf& ends_of)

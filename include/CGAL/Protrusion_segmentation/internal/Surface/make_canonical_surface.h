@@ -72,8 +72,7 @@ inline std::vector<Indexed_surface::Index> canonical_order(const Surface_arrays&
     const Indexed_surface::Point_3 q = mean_of_corners(surface, b.second);
     return p != q ? p < q : a.second < b.second;
   };
-  sort_different(places, is_parallel, less,
-                 [&less](auto begin, auto end) { std::sort(begin, end, less); });
+  sort_different(places, is_parallel, less);
   std::vector<Index> order;
   order.reserve(places.size());
   for (const Place& place : places)

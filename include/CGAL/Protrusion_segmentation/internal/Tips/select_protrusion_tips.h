@@ -130,6 +130,7 @@ inline std::vector<Indexed_surface::Index> select_tips_of_components(const Index
   }
   const std::vector<std::size_t> shares = share_out_tips(number_of_tips, areas, face_counts);
   Face_selector<Indexed_surface> select(surface);
+  const Stage_scope stage(execution.observer(), Stage::TIPS);
   std::vector<Index> tips;
   for (std::size_t c = 0; c < shares.size(); ++c)
   {
@@ -143,7 +144,11 @@ inline std::vector<Indexed_surface::Index> select_tips_of_components(const Index
     const auto distances = distance.on(component, execution);
     select_protrusion_tips(
       component, *distances, shares[c], [](Index) { return true; },
-      [&](Index tip, const std::vector<double>&) { tips.push_back(faces[tip]); });
+      [&](Index tip, const std::vector<double>&)
+      {
+        tips.push_back(faces[tip]);
+        execution.observer().tip_selected(faces[tip]);
+      });
     execution.observer().distances_computed(distances->number_of_runs());
   }
   return tips;

@@ -85,12 +85,9 @@ public:
       [this](std::size_t n) -> const Cut_set& { return *best(n); }, m_options);
   }
 
-  // Whether more sure cuts of one segment are known than a number of segments has room for.
-  bool knows_more_sure_cuts_than(std::size_t number_of_segments) const
-  {
-    return std::any_of(m_of_sure_cuts.upper_bound(number_of_segments), m_of_sure_cuts.end(),
-                       [](const auto& sets_of_number) { return !sets_of_number.second.empty(); });
-  }
+  // Whether more sure cuts of one segment were known than a number of segments has room for, when the beam came to that number:
+  // what was asked for besides does not matter.
+  bool knew_more_sure_cuts_than(std::size_t number_of_segments) const { return m_knew_more_sure_cuts[number_of_segments - 1]; }
 
   // What the last of a number of segments gains, of those that were asked for.
   double gain_of_last(std::size_t number_of_segments) const
@@ -123,14 +120,16 @@ private:
       next = best_next_sets();
     }
     make_sure_cuts();
-    for (const Cut_set& set : m_of_sure_cuts[m_best.size() + 1])
-      add(next, set);
+    if (const auto sets = m_of_sure_cuts.find(m_best.size() + 1); sets != m_of_sure_cuts.end())
+      for (const Cut_set& set : sets->second)
+        add(next, set);
     std::stable_sort(next.begin(), next.end(), [](const Cut_set& a, const Cut_set& b) { return a.value > b.value; });
     next.resize((std::min)(next.size(), m_options.number_of_sets));
     if (next.empty() || next.front().value <= least)
       return false;
     m_best.push_back(next.front());
     m_beam = std::move(next);
+    m_knew_more_sure_cuts.push_back(!m_of_sure_cuts.empty() && m_of_sure_cuts.rbegin()->first > m_best.size());
     return true;
   }
 
@@ -257,6 +256,7 @@ private:
   std::map<std::size_t, std::vector<Cut_set>> m_of_sure_cuts; // and the sets of these, by their numbers of segments
   std::vector<Cut_set> m_beam; // of equally many cuts, the best first
   std::vector<Cut_set> m_best; // for every number of segments from 1 on
+  std::vector<bool> m_knew_more_sure_cuts = {false}; // for each of these numbers
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

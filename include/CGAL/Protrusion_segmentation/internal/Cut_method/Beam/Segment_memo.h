@@ -121,9 +121,16 @@ public:
   // `value`: what the cut adds to that of the set in which it is made
   Cut_set::Made_cut made_cut(Index id, const Cut& cut, double value)
   {
-    const Index inner = find_or_add(cut.inner);
-    const Index outer = find_or_add(other_side(m_entries[id].segment, cut.inner));
-    return {id, inner, outer, value, cut.probability, is_distinct(cut.clues), cut.size};
+    return made_cut(id, cut.inner, {0, 0, 0, value, cut.probability, is_distinct(cut.clues), cut.size});
+  }
+
+  // The same cut of another segment.
+  Cut_set::Made_cut made_cut(Index id, const Nodes& inner, Cut_set::Made_cut cut)
+  {
+    cut.segment = id;
+    cut.inner = find_or_add(inner);
+    cut.outer = find_or_add(other_side(m_entries[id].segment, inner));
+    return cut;
   }
 
 private:

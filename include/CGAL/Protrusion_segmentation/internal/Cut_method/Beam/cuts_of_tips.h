@@ -6,7 +6,6 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_CUTS_OF_TIPS_H
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Beam_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>

@@ -101,7 +101,7 @@ private:
     Normal_moments moments(graph.number_of_nodes());
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
       if (const double area = graph.area[node(f)]; area > 0)
-        moments.add(node(f), normal(f), faces.area[f] / area);
+        moments.add(node(f), unit_normal(m_surface, f), faces.area[f] / area);
     Multilevel_diffusion average(radius, m_execution);
     average(graph, centre, moments.means);
     average(graph, centre, moments.squares);
@@ -110,7 +110,7 @@ private:
     {
       std::vector<bool> result(m_surface.number_of_faces());
       for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-        result[f] = is_on_edge(moments, node(f), normal(f), share);
+        result[f] = is_on_edge(moments, node(f), unit_normal(m_surface, f), share);
       return result;
     };
     return strips_of_plates(faces_on_edges(share_beside_plate), faces_on_edges(share_of_plate));
@@ -147,12 +147,6 @@ private:
       has_rims = has_rims || is_on_edge[f];
     }
     return has_rims ? is_on_edge : std::vector<bool>();
-  }
-
-  Triple normal(Index f) const
-  {
-    const double area = m_surface.area(f);
-    return area > 0 ? triple(m_surface.area_vector(f) / area) : Triple{0, 0, 0};
   }
 
   const Indexed_surface& m_surface;

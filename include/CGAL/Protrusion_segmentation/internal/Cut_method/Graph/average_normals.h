@@ -46,13 +46,9 @@ inline double radius_against_noise(double noise, double edge_length)
 inline Triples
 average_normals(const Indexed_surface& surface, const Dual_graph& graph, const Centres& centre, Execution& execution)
 {
-  Triples of_faces(surface.number_of_faces(), {0, 0, 0});
+  Triples of_faces(surface.number_of_faces());
   for_each_number(of_faces.size(), execution.is_parallel(),
-                  [&](Indexed_surface::Index f)
-                  {
-                    if (surface.area(f) > 0)
-                      of_faces[f] = triple(surface.area_vector(f) / surface.area(f));
-                  });
+                  [&](Indexed_surface::Index f) { of_faces[f] = unit_normal(surface, f); });
   const auto average = [&](double radius)
   {
     Triples normals = of_faces;

@@ -30,6 +30,13 @@ inline Triple triple(const Indexed_surface::Vector_3& v)
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
+// Zero of a face without area.
+inline Triple unit_normal(const Indexed_surface& surface, Indexed_surface::Index f)
+{
+  const double area = surface.area(f);
+  return area > 0 ? triple(surface.area_vector(f) / area) : Triple{0, 0, 0};
+}
+
 // Diffuses vectors on the nodes of a dual graph: solves (M + time * L) x = M x_0 for each coordinate, where M holds the
 // areas and L is the finite-volume Laplacian, by conjugate gradients with a diagonal preconditioner. That takes about
 // sqrt(time * number of nodes) iterations, each linear.

@@ -11,7 +11,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Border_arcs.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Component_segments.h>
-#include <CGAL/Protrusion_segmentation/internal/Segments/subtree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,14 +40,15 @@ public:
   std::vector<Protrusion<Index>> operator()() const
   {
     std::vector<Protrusion<Index>> result;
+    const std::vector<double> border_lengths = this->border_lengths();
     for (std::size_t s = 1; s < m_segments.number_of_segments(); ++s)
-      result.push_back(describe(s));
+      result.push_back(describe(s, border_lengths[s]));
     find_tips(result);
     return result;
   }
 
 private:
-  Protrusion<Index> describe(std::size_t s) const
+  Protrusion<Index> describe(std::size_t s, double border_length) const
   {
     Protrusion<Index> result;
     result.segment = s;
@@ -56,7 +56,7 @@ private:
     result.value = m_segments.cut(s)->value;
     result.probability = m_segments.cut(s)->probability;
     result.area = m_segments.areas_beyond()[s] * m_unit * m_unit;
-    result.border_length = border_length(s) * m_unit;
+    result.border_length = border_length * m_unit;
     return result;
   }
 
@@ -94,15 +94,22 @@ private:
     return result;
   }
 
-  // between what lies beyond a border and the rest
-  double border_length(std::size_t s) const
+  // of every segment, between what lies beyond its border and the rest
+  std::vector<double> border_lengths() const
   {
-    const std::vector<bool> is_beyond = subtree(static_cast<Index>(s), m_segments.parents());
-    double length = 0;
+    std::vector<double> result(m_segments.number_of_segments(), 0);
     for (const Border_arcs::Arc& arc : m_borders.arcs())
-      if (is_beyond[m_labels[arc.source]] && !is_beyond[m_labels[arc.target]])
-        length += arc.length;
-    return length;
+      for (Index s = m_labels[arc.source]; !lies_beyond(m_labels[arc.target], s); s = m_segments.parents()[s])
+        result[s] += arc.length;
+    return result;
+  }
+
+  // Whether a segment is another one or sticks out of it, directly or not.
+  bool lies_beyond(Index segment, Index other) const
+  {
+    while (segment != other && segment != 0)
+      segment = m_segments.parents()[segment];
+    return segment == other;
   }
 
   const Component_segments& m_segments;

@@ -96,7 +96,9 @@ public:
   // Visits up to `maximum_number_of_visits` faces; returns the best of them.
   Index operator()(std::size_t maximum_number_of_visits)
   {
-    std::optional<Index> next = 0;
+    std::optional<Index> next;
+    if (m_number_of_faces > 0)
+      next = 0;
     for (std::size_t visits = 0; visits < maximum_number_of_visits && next; ++visits)
     {
       // how many there will be is not known; most surfaces need about ten

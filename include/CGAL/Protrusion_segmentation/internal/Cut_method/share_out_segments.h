@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_NUMBERS_OF_SEGMENTS_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_NUMBERS_OF_SEGMENTS_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SHARE_OUT_SEGMENTS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SHARE_OUT_SEGMENTS_H
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Component.h>
@@ -20,7 +20,7 @@ namespace CGAL::Protrusion_segmentation::internal {
 
 // Of each component, `k` in all if there are as many: first those that are found without a number, then others, each time the
 // one that gains most; of equals that of the first component.
-inline std::vector<std::size_t> numbers_of_segments(const std::vector<Component*>& components, std::size_t k, Execution& execution)
+inline std::vector<std::size_t> share_out_segments(const std::vector<Component*>& components, std::size_t k, Execution& execution)
 {
   std::vector<std::size_t> numbers(components.size(), 1), automatic(components.size(), 0);
   using Offer = std::tuple<bool, double, std::size_t>; // whether it is a further one, minus the gain, the component
@@ -32,6 +32,7 @@ inline std::vector<std::size_t> numbers_of_segments(const std::vector<Component*
   };
   for (std::size_t c = 0; c < components.size(); ++c)
   {
+    const Next_segment progress(execution, c, k);
     if (components.size() > 1)
       automatic[c] = components[c]->automatic_number();
     offer(c);
@@ -50,4 +51,4 @@ inline std::vector<std::size_t> numbers_of_segments(const std::vector<Component*
 
 } // namespace CGAL::Protrusion_segmentation::internal
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_NUMBERS_OF_SEGMENTS_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SHARE_OUT_SEGMENTS_H
