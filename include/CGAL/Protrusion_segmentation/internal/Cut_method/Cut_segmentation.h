@@ -145,7 +145,8 @@ private:
   }
 
   // Each component is finished before the next one, so that memory is that of the largest one: large ones first, which several
-  // threads share, then small ones, each of which has a thread. `is_whole(loaded, c)`: whether a component needs no search; `cuts(loaded, c)`: its cuts
+  // threads share, then small ones, each of which has a thread. `is_whole(loaded, c)`: whether a component needs no search;
+  // `cuts(loaded, c)`: its cuts
   template <typename IsWhole, typename Cuts>
   Nested_segments each_by_itself(IsWhole is_whole, Cuts cuts)
   {

@@ -18,8 +18,8 @@ namespace CGAL::Protrusion_segmentation::internal {
 // A graph whose nodes are faces, or connected sets of faces, of a connected surface. Lengths are in units of the square
 // root of the area of the whole surface, areas are shares of it, so that results are independent of scale.
 //
-// The arcs of node i are first_arc[i] to first_arc[i + 1] - 1. For every arc there is one back with the same weights, up to rounding. Single
-// precision halves the memory and is more than the input is worth.
+// The arcs of node i are first_arc[i] to first_arc[i + 1] - 1. For every arc there is one back with the same weights, up to
+// rounding. Single precision halves the memory and is more than the input is worth.
 struct Dual_graph
 {
   using Index = Indexed_surface::Index;
