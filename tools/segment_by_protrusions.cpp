@@ -28,7 +28,6 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
-#include <utility>
 #include <vector>
 #include <system_error>
 #include <vector>
@@ -101,15 +100,9 @@ void segment_one(const tool::Command_line& command_line)
                               command_line.borders, command_line.skeleton, command_line.rig,
                               tool::caps_of_name(command_line.caps)};
   tool::Segmentation_options options = command_line.options;
-  std::vector<tool::Named_segment> segment_names;
+  const tool::Picked_tips picked = tool::read_tips_and_names(command_line.tips, command_line.names);
   if (!command_line.tips.empty())
-  {
-    tool::Picked_tips tips = tool::read_tips(command_line.tips);
-    options.tips = std::move(tips.faces);
-    segment_names = std::move(tips.names);
-  }
-  if (!command_line.names.empty())
-    segment_names = tool::read_names(command_line.names);
+    options.tips = picked.faces;
   tool::check_can_be_written(names, options.formats);
   tool::Progress_bar bar(!command_line.is_quiet && tool::is_standard_error_a_terminal(),
                          is_large(command_line.inputs.front()) ? std::chrono::seconds(0)
@@ -124,8 +117,8 @@ void segment_one(const tool::Command_line& command_line)
   tool::Findings findings = tool::segment_file(command_line.inputs.front(), options, show,
                                                [&](const std::string& warning)
                                                { tell(command_line, warning); });
-  if (!segment_names.empty())
-    tool::name_segments(findings, segment_names, command_line.names.empty() ? command_line.tips : command_line.names);
+  if (!picked.names.empty())
+    tool::name_segments(findings, picked.names, command_line.names.empty() ? command_line.tips : command_line.names);
   tool::write_findings(findings, names, show);
   bar.clear();
   if (!command_line.is_quiet)

@@ -81,8 +81,6 @@ tool::Command_line parse(std::vector<std::string> words)
   {
     throw tool::Error("a page has no --help");
   }
-  if (!command_line.tips.empty())
-    command_line.options.tips = tool::read_tips(command_line.tips);
   return command_line;
 }
 
@@ -94,11 +92,14 @@ void show(double share, const std::string& stage, std::size_t protrusions)
 std::string segment(const tool::Command_line& command_line)
 {
   last_findings.reset();
-  last_findings = tool::segment_file(command_line.inputs.front(), command_line.options, show,
+  tool::Segmentation_options options = command_line.options;
+  const tool::Picked_tips picked = tool::read_tips_and_names(command_line.tips, command_line.names);
+  if (!command_line.tips.empty())
+    options.tips = picked.faces;
+  last_findings = tool::segment_file(command_line.inputs.front(), options, show,
                                      [](const std::string& warning) { page_warning(warning.c_str()); });
-  const std::string& names = command_line.names.empty() ? command_line.tips : command_line.names;
-  if (!names.empty())
-    tool::name_segments(*last_findings, names);
+  if (!picked.names.empty())
+    tool::name_segments(*last_findings, picked.names, command_line.names.empty() ? command_line.tips : command_line.names);
   return "{\"data\":" + tool::report_data(*last_findings) + "}";
 }
 

@@ -75,4 +75,14 @@ Picked_tips read_tips(const std::string& file)
   return {tips_in(content.value("tips", Json()), file), names_in(content.value("names", Json::array()), file)};
 }
 
+Picked_tips read_tips_and_names(const std::string& tips, const std::string& names)
+{
+  Picked_tips result;
+  if (!tips.empty())
+    result = read_tips(tips);
+  if (!names.empty())
+    result.names = read_names(names);
+  return result;
+}
+
 } // namespace tool

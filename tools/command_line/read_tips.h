@@ -13,7 +13,7 @@
 namespace tool
 {
 
-// What a page of --report saves. Both throw an `Error` that names file and cause.
+// What a page of --report saves. All throw an `Error` that names file and cause.
 
 // The segment with this number, or that of this face
 struct Named_segment
@@ -33,6 +33,9 @@ struct Picked_tips
 
 // Numbers of faces, and names if there are any: {"tips": [12, 345], "names": [...]}
 Picked_tips read_tips(const std::string& file);
+
+// What is in the files of --tips and --names, as far as these are given. Each is read once, since it may be a pipe.
+Picked_tips read_tips_and_names(const std::string& tips, const std::string& names);
 
 } // namespace tool
 
