@@ -181,9 +181,20 @@ std::vector<std::string> files_of(const std::vector<std::string>& references)
   return result;
 }
 
+// No file that is read may be replaced.
+void check_output(const std::string& json, const std::vector<std::string>& inputs)
+{
+  std::error_code ignored;
+  for (const std::string& input : inputs)
+    if (std::filesystem::is_regular_file(json, ignored) && std::filesystem::equivalent(json, input, ignored))
+      throw tool::Error(json, "would replace a file that is read");
+}
+
 void evaluate(const Command_line& command_line)
 {
   const std::vector<std::string> references = files_of(command_line.references);
+  check_output(command_line.json, {command_line.mesh, command_line.segmentation});
+  check_output(command_line.json, references);
   tool::Input_mesh input = tool::read_input_mesh(command_line.mesh);
   const Labels segments = tool::read_some_labels(command_line.segmentation, input);
   std::vector<Metrics> metrics;
@@ -225,16 +236,15 @@ void add_options(CLI::App& app, Command_line& command_line)
     ->required()
     ->type_name("");
   app
-    .add_flag("--json{-}", command_line.json,
-              "write JSON into FILE, or to the standard output, in place of the table")
-    ->type_name("[=FILE]")
+    .add_option("--json", command_line.json, "write JSON in place of the table; - is the standard output")
+    ->type_name("FILE")
     ->group("Output");
   tool::complete_help(
     app, "[OPTION...] MESH SEGMENTATION REFERENCE...", "Input",
     {{"evaluate_segmentation horse.obj mine.seg a.seg b.seg", "a table with a row for each reference"},
      {"evaluate_segmentation 1.off mine.seg MeshsegBenchmark-1.0/data/seg/Benchmark/1",
       "all references of the benchmark"},
-     {"evaluate_segmentation horse.obj mine.seg a.seg --json=scores.json", "the same as JSON"},
+     {"evaluate_segmentation horse.obj mine.seg a.seg --json scores.json", "the same as JSON"},
      {"evaluate_segmentation horse.glb face2label.json true.npy", "files of learned methods"}});
 }
 

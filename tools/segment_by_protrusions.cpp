@@ -28,7 +28,6 @@
 #include <filesystem>
 #include <iostream>
 #include <string>
-#include <vector>
 #include <system_error>
 #include <vector>
 

@@ -22,7 +22,7 @@ def references(tetrahedron, tmp_path):
 
 def test_mean_in_json(evaluate, tetrahedron, references):
     files = [references / f"1_{i}.seg" for i in (0, 2, 10)]
-    scores = json.loads(evaluate(tetrahedron, files[0], *files, "--json").out)
+    scores = json.loads(evaluate(tetrahedron, files[0], *files, "--json", "-").out)
     assert [entry["reference"] for entry in scores["references"]] == [str(file) for file in files]
     for name, mean in scores["mean"].items():
         values = [entry[name] for entry in scores["references"] if entry[name] is not None]
@@ -31,16 +31,16 @@ def test_mean_in_json(evaluate, tetrahedron, references):
 
 
 def test_json_in_a_file(evaluate, tetrahedron, references, tmp_path):
-    """Only where the name is part of the option: no reference is written over."""
     first, second = references / "1_0.seg", references / "1_2.seg"
-    before = second.read_text()
-    scores = json.loads(evaluate(tetrahedron, first, first, "--json", second).out)
-    assert len(scores["references"]) == 2
-    assert second.read_text() == before
-    assert evaluate(tetrahedron, first, first, second, "--json=a.json").out == ""
+    scores = json.loads(evaluate(tetrahedron, first, first, second, "--json", "-").out)
+    assert evaluate(tetrahedron, first, first, second, "--json", "a.json").out == ""
     assert json.loads((tmp_path / "a.json").read_text()) == scores
-    evaluate.refuses(tetrahedron, first, first, "--json=missing/a.json",
+    evaluate.refuses(tetrahedron, first, first, "--json", "missing/a.json",
                      message="missing/a.json: cannot be written: No such file or directory")
+    for name in (first, second):  # by itself, or in a folder of references
+        before = name.read_text()
+        evaluate.refuses(tetrahedron, first, references, "--json", name, message="would replace a file that is read")
+        assert name.read_text() == before
 
 
 def test_folder_of_references(evaluate, tetrahedron, references):
@@ -60,7 +60,7 @@ def test_formats_of_learned_methods(evaluate, tetrahedron, tmp_path):
     (tmp_path / "list.json").write_text("[0, 0, 3, 1]")
     (tmp_path / "face2label.json").write_text('{"3": 1, "0": 0, "1": 0, "2": 3}')
     np.save(tmp_path / "true.npy", np.array([0, 0, 1, 1]))
-    (scores,) = {evaluate(tetrahedron, name, "true.npy", "--json").out
+    (scores,) = {evaluate(tetrahedron, name, "true.npy", "--json", "-").out
                  for name in ("a.seg", "a.npy", "list.json", "face2label.json")}
     mean = json.loads(scores)["mean"]
     assert mean["mean_best_intersection_over_union"] == pytest.approx((1 + 1 / 2) / 2)
@@ -69,7 +69,7 @@ def test_formats_of_learned_methods(evaluate, tetrahedron, tmp_path):
 def test_faces_in_no_part(evaluate, tetrahedron, tmp_path):
     np.save(tmp_path / "a.npy", np.array([0, 0, 3, 1]))
     np.save(tmp_path / "true.npy", np.array([5, 5, -1, -1]))
-    scores = json.loads(evaluate(tetrahedron, "a.npy", "true.npy", "--json").out)
+    scores = json.loads(evaluate(tetrahedron, "a.npy", "true.npy", "--json", "-").out)
     assert scores["mean"]["mean_best_intersection_over_union"] == 1
     assert evaluate(tetrahedron, "a.npy", "true.npy").out.splitlines()[1].split()[-2:] == ["1.0000", "true.npy"]
 
