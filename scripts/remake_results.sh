@@ -10,6 +10,7 @@ set -euo pipefail
 
 build=$(realpath "$1")/benchmark/Protrusion_segmentation
 results=$(realpath "$(dirname "${BASH_SOURCE[0]}")")/../benchmark/Protrusion_segmentation
+version=$(git -C "$results" rev-parse --short HEAD)
 cd "$2"
 shift 2
 
@@ -84,6 +85,7 @@ if [[ $# == 0 ]]; then
     {Performance,Invariance,Robustness}/results.md
 fi
 for file; do
-  content "$file" > "$results/$file.new"
+  # The title and, below it, of which version the results are.
+  content "$file" | sed -e '/^Of version [0-9a-f]*\.$/,+1d' -e "1s/\$/\n\nOf version $version./" > "$results/$file.new"
   mv "$results/$file.new" "$results/$file"
 done
