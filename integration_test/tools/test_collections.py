@@ -144,15 +144,15 @@ def test_fewer_segments_than_asked_for(segment, teddy):
 
 def test_parts_of_another_run(segment, teddy, tmp_path):
     (tmp_path / "in").mkdir()
-    teddy.rename(tmp_path / "in/a.off")
+    teddy.rename(tmp_path / "in/a%d.off")
     call = "in --output-folder out --format stl --close".split()
     segment(*call, "-k", 4)
     for _ in range(2):  # done, and done already
         result = segment(*call, "-k", 2)
         assert result.err.count("\n") == 1
-        assert "in/a.off: out/a/2.stl to out/a/3.stl, 2 files, are not of this run" in result.err
+        assert "in/a%d.off: out/a%d/2.stl to out/a%d/3.stl, 2 files, are not of this run" in result.err
     for name in ("2.stl", "3.stl"):
-        (tmp_path / "out/a" / name).unlink()
+        (tmp_path / "out/a%d" / name).unlink()
     assert segment(*call, "-k", 2).err == ""
 
 

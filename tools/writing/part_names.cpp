@@ -191,7 +191,7 @@ std::map<std::size_t, std::string> parts_in_place(const std::string& pattern)
   fs::directory_iterator entry(folder.empty() ? "." : folder, error);
   for (const fs::directory_iterator end; !error && entry != end; entry.increment(error))
     if (const auto segment = number_of_part(file_name(pattern), entry->path().filename().string()))
-      parts[*segment] = name_of_part(pattern, *segment);
+      parts[*segment] = (folder / entry->path().filename()).string();
   return parts;
 }
 
