@@ -39,7 +39,8 @@ def seconds_of_file(record):
 
 
 def print_files(tool, meshes, threads, folder):
-    print("\n## 1. From file to labels\n\nBy the wall clock. *All* is of a run of its own, without the record of the others. Goal: ten million faces with two threads in 20 seconds and 3 GB.")
+    print("\n## 1. From file to labels\n\nBy the wall clock. *All* is of a run of its own, without the record of the others. "
+          "Goal: ten million faces with two threads in 20 seconds and 3 GB.")
     table("file", "MB", "faces", "threads", "reading [s]", "segmentation [s]", "writing [s]", "all [s]", "most memory [GB]")
     for mesh in meshes:
         for number in threads:

@@ -185,16 +185,19 @@ std::vector<std::string> files_of(const std::vector<std::string>& references)
 void check_output(const std::string& json, const std::vector<std::string>& inputs)
 {
   std::error_code ignored;
+  if (!std::filesystem::is_regular_file(json, ignored))
+    return;
   for (const std::string& input : inputs)
-    if (std::filesystem::is_regular_file(json, ignored) && std::filesystem::equivalent(json, input, ignored))
+    if (std::filesystem::equivalent(json, input, ignored))
       throw tool::Error(json, "would replace a file that is read");
 }
 
 void evaluate(const Command_line& command_line)
 {
   const std::vector<std::string> references = files_of(command_line.references);
-  check_output(command_line.json, {command_line.mesh, command_line.segmentation});
-  check_output(command_line.json, references);
+  std::vector<std::string> inputs = references;
+  inputs.insert(inputs.end(), {command_line.mesh, command_line.segmentation});
+  check_output(command_line.json, inputs);
   tool::Input_mesh input = tool::read_input_mesh(command_line.mesh);
   const Labels segments = tool::read_some_labels(command_line.segmentation, input);
   std::vector<Metrics> metrics;

@@ -100,8 +100,7 @@ void segment_one(const tool::Command_line& command_line)
                               tool::caps_of_name(command_line.caps)};
   tool::Segmentation_options options = command_line.options;
   const tool::Picked_tips picked = tool::read_tips_and_names(command_line.tips, command_line.names);
-  if (!command_line.tips.empty())
-    options.tips = picked.faces;
+  options.tips = picked.faces;
   tool::check_can_be_written(names, options.formats);
   tool::Progress_bar bar(!command_line.is_quiet && tool::is_standard_error_a_terminal(),
                          is_large(command_line.inputs.front()) ? std::chrono::seconds(0)
@@ -116,8 +115,7 @@ void segment_one(const tool::Command_line& command_line)
   tool::Findings findings = tool::segment_file(command_line.inputs.front(), options, show,
                                                [&](const std::string& warning)
                                                { tell(command_line, warning); });
-  if (!picked.names.empty())
-    tool::name_segments(findings, picked.names, command_line.names.empty() ? command_line.tips : command_line.names);
+  tool::name_segments(findings, picked);
   tool::write_findings(findings, names, show);
   bar.clear();
   if (!command_line.is_quiet)

@@ -94,12 +94,10 @@ std::string segment(const tool::Command_line& command_line)
   last_findings.reset();
   tool::Segmentation_options options = command_line.options;
   const tool::Picked_tips picked = tool::read_tips_and_names(command_line.tips, command_line.names);
-  if (!command_line.tips.empty())
-    options.tips = picked.faces;
+  options.tips = picked.faces;
   last_findings = tool::segment_file(command_line.inputs.front(), options, show,
                                      [](const std::string& warning) { page_warning(warning.c_str()); });
-  if (!picked.names.empty())
-    tool::name_segments(*last_findings, picked.names, command_line.names.empty() ? command_line.tips : command_line.names);
+  tool::name_segments(*last_findings, picked);
   return "{\"data\":" + tool::report_data(*last_findings) + "}";
 }
 

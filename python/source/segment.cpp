@@ -18,7 +18,6 @@
 #endif
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <iterator>
 #include <limits>

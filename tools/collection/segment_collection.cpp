@@ -47,7 +47,7 @@ public:
       m_bar(!is_quiet && is_standard_error_a_terminal())
   {}
 
-  // One mesh is done, and this is its line; warnings have lines of their own, one of them also if it is quiet.
+  // One mesh is done, and this is its line. A note has one of its own; so has a warning, which is in the line, where that is not shown.
   void tell(const std::string& line, bool is_error, const std::string& note = "", const std::string& warning = "")
   {
     ++m_number_of_told;
@@ -60,7 +60,7 @@ public:
       std::cout << place << line << std::endl;
     if (!note.empty() && !m_is_quiet)
       std::cerr << place << note << std::endl;
-    if (!warning.empty() && m_is_quiet) // else it is in the line
+    if (!warning.empty() && m_is_quiet)
       std::cerr << place << warning << std::endl;
     m_bar.show(double(m_number_of_told) / double(m_number_of_meshes), place);
   }
@@ -195,6 +195,8 @@ private:
   std::string note_on_other_parts(const Mesh_in_collection& mesh) const
   {
     std::string notes;
+    if (m_options.caps.empty())
+      return notes; // there are no parts, and the record need not be read
     const Json segments = record_of(mesh).value("segments", Json());
     if (!segments.is_number_unsigned())
       return notes;

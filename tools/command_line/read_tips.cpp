@@ -64,24 +64,19 @@ std::vector<Named_segment> names_in(const Json& list, const std::string& file)
 
 } // namespace
 
-std::vector<Named_segment> read_names(const std::string& file)
-{
-  return names_in(read_object(file).value("names", Json()), file);
-}
-
-Picked_tips read_tips(const std::string& file)
-{
-  const Json content = read_object(file);
-  return {tips_in(content.value("tips", Json()), file), names_in(content.value("names", Json::array()), file)};
-}
-
 Picked_tips read_tips_and_names(const std::string& tips, const std::string& names)
 {
   Picked_tips result;
   if (!tips.empty())
-    result = read_tips(tips);
+  {
+    const Json content = read_object(tips);
+    result = {tips_in(content.value("tips", Json()), tips), names_in(content.value("names", Json::array()), tips), tips};
+  }
   if (!names.empty())
-    result.names = read_names(names);
+  {
+    result.names = names_in(read_object(names).value("names", Json()), names);
+    result.file_of_names = names;
+  }
   return result;
 }
 

@@ -13,28 +13,23 @@
 namespace tool
 {
 
-// What a page of --report saves. All throw an `Error` that names file and cause.
-
-// The segment with this number, or that of this face
+// The name of the segment with this number, or of that of this face
 struct Named_segment
 {
   std::optional<std::size_t> face, segment;
   std::string name;
 };
 
-// {"names": [{"face": 12, "name": "tail"}, {"segment": 3, "name": "left ear"}]}
-std::vector<Named_segment> read_names(const std::string& file);
-
 struct Picked_tips
 {
-  std::vector<std::size_t> faces;
+  std::optional<std::vector<std::size_t>> faces; // none without --tips
   std::vector<Named_segment> names;
+  std::string file_of_names;
 };
 
-// Numbers of faces, and names if there are any: {"tips": [12, 345], "names": [...]}
-Picked_tips read_tips(const std::string& file);
-
-// What is in the files of --tips and --names, as far as these are given. Each is read once, since it may be a pipe.
+// What a page of --report saves, in the files of --tips and --names, as far as these are given:
+// {"tips": [12, 345], "names": [{"face": 12, "name": "tail"}, {"segment": 3, "name": "left ear"}]}. With tips, names may be left out.
+// Each file is read once, since it may be a pipe. Throws an `Error` that names file and cause.
 Picked_tips read_tips_and_names(const std::string& tips, const std::string& names);
 
 } // namespace tool

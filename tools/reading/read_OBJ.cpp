@@ -63,8 +63,7 @@ private:
 
   void add_statement(std::string_view line, std::size_t number)
   {
-    if (!is_a_name(line))
-      line = without_comment(line);
+    line = line.find('#') == line.npos || is_a_name(line) ? trim(line) : without_comment(line);
     std::string_view words = line;
     const std::string_view keyword = take_word(words);
     m_attributes.add(keyword, words);

@@ -28,12 +28,15 @@ bool is_tip_in_body(const Findings& findings, std::size_t face, std::size_t segm
 
 } // namespace
 
-void name_segments(Findings& findings, const std::vector<Named_segment>& names, const std::string& file)
+void name_segments(Findings& findings, const Picked_tips& picked)
 {
+  if (picked.names.empty())
+    return;
+  const std::string& file = picked.file_of_names;
   findings.names.resize(findings.segmentation.number_of_segments);
   const std::vector<std::size_t> segment_of_face = labels_of_file(findings.segmentation.segment_ids,
                                                                   findings.mesh);
-  for (const Named_segment& named : names)
+  for (const Named_segment& named : picked.names)
   {
     if (named.face && *named.face >= segment_of_face.size())
       throw Error(file, "names the segment of face " + std::to_string(*named.face) + ", but there are " +

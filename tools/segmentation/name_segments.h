@@ -8,13 +8,10 @@
 #include "command_line/read_tips.h"
 #include "segmentation/Findings.h"
 
-#include <string>
-#include <vector>
-
 namespace tool {
 
-// Gives segments the names in a file of --names or --tips. Throws an `Error` if these name what is not there.
-void name_segments(Findings& findings, const std::vector<Named_segment>& names, const std::string& file);
+// Gives segments their names, if there are any. Throws an `Error` if these name what is not there.
+void name_segments(Findings& findings, const Picked_tips& picked);
 
 } // namespace tool
 

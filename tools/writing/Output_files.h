@@ -6,7 +6,7 @@
 #define PROTRUSION_SEGMENTATION_TOOLS_WRITING_OUTPUT_FILES_H
 
 #include "writing/Deferred_signals.h"
-#include "writing/write_complete_file.h"
+#include "writing/Temporary_file.h"
 
 #include <filesystem>
 #include <functional>

@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Writing a file so that it appears under its name only when it is complete.
+// What a file needs to appear under its name only when it is complete.
 
-#ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_WRITE_COMPLETE_FILE_H
-#define PROTRUSION_SEGMENTATION_TOOLS_WRITING_WRITE_COMPLETE_FILE_H
+#ifndef PROTRUSION_SEGMENTATION_TOOLS_WRITING_TEMPORARY_FILE_H
+#define PROTRUSION_SEGMENTATION_TOOLS_WRITING_TEMPORARY_FILE_H
 
 #include <cstddef>
 #include <filesystem>
@@ -108,4 +108,4 @@ inline std::filesystem::path target_of_links(std::filesystem::path file)
 
 } // namespace tool
 
-#endif // PROTRUSION_SEGMENTATION_TOOLS_WRITING_WRITE_COMPLETE_FILE_H
+#endif // PROTRUSION_SEGMENTATION_TOOLS_WRITING_TEMPORARY_FILE_H
