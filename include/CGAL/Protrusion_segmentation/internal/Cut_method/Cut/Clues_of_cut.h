@@ -136,7 +136,7 @@ public:
     // Earlier cuts leave no holes in a sheet: what is narrow between one and the border of the surface goes on behind it.
     constexpr double of_earlier = 3; // the same from 2.5 to 4 for plates with pegs, decisions.md
     Cut_clues clues;
-    clues.concave_share = m_concave_length / m_length;
+    clues.concave_share = m_graph.weight_of_valleys * m_concave_length / m_length;
     clues.relative_length = std::log(length_around(m_length + of_earlier * m_openness * m_earlier_length) / std::sqrt(m_smaller_area));
     clues.segment_size = std::log(m_bisection.segment().area);
     std::tie(clues.smaller_widening, clues.larger_widening) = std::minmax({inside.widening, outside.widening});

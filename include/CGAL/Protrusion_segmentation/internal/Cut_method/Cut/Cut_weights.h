@@ -13,7 +13,7 @@ namespace CGAL::Protrusion_segmentation::internal {
 // What a cut says of itself, see `Clues_of_cut`. All clues are independent of scale.
 struct Cut_clues
 {
-  double concave_share;    // share of the cut's length that lies in a concave seam
+  double concave_share;    // share of the cut's length that lies in a concave seam; less of a rough surface, see `weight_of_valleys()`
   double relative_length;  // log of the length relative to the square root of the smaller side's area; earlier borders of a sheet count
   double segment_size;     // log of the segment's share of the area of the component
   double larger_widening;  // log of the area of a strip beside the cut relative to a straight one,

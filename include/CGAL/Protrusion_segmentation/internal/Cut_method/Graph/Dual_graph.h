@@ -116,6 +116,7 @@ struct Volume_graph : Seam_graph
   std::vector<Vector_3> area_vector; // of every node, the sum of those of its faces,
   std::vector<double> flux;          // and of their products with the faces' centroids
   Centres centre;                    // of every node
+  double weight_of_valleys = 1;      // what a concave border says of a cut, see `weight_of_valleys()`
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

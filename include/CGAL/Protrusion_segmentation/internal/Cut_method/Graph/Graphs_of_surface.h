@@ -47,6 +47,8 @@ struct Graphs_of_surface
     const Index_groups faces_of_nodes(node_of_face, coarse.number_of_nodes());
     Border_straightener(surface, fine, node_of_face, coarse)(faces_of_nodes, is_parallel);
     measure_volumes(surface, node_of_face, faces_of_nodes, coarse, is_parallel);
+    if (!surface.has_patches()) // where pieces touch there is a seam, however many there are
+      coarse.weight_of_valleys = weight_of_valleys(roughness(coarse));
   }
 
 private:

@@ -140,6 +140,28 @@ private:
   std::vector<Sums> m_sums; // of every arc
 };
 
+// How rough a surface is: the concave curvature of the borders, averaged as the square of a mean root, in which many valleys count
+// more than deep ones. Edges that are sharper than a radius of 1/30 belong to what was built, as teeth of gears do.
+inline double roughness(const Seam_graph& coarse)
+{
+  constexpr double largest_curvature = 30;
+  double length = 0, roots = 0;
+  for (std::size_t arc = 0; arc < coarse.target.size(); ++arc)
+  {
+    length += coarse.border_length[arc];
+    if (coarse.curvature[arc] > 0 && coarse.curvature[arc] < largest_curvature)
+      roots += coarse.border_length[arc] * std::sqrt(coarse.curvature[arc]);
+  }
+  return length > 0 ? CGAL::square(roots / length) : 0;
+}
+
+// What a valley says of a cut: little where the surface is full of as deep ones.
+inline double weight_of_valleys(double roughness)
+{
+  constexpr double roughness_of_half = 1.25; // nine of ten Princeton models have less, bark and brains have more; decisions.md
+  return 1 / (1 + CGAL::square(CGAL::square(roughness / roughness_of_half)));
+}
+
 // Measures all of a volume graph that a seam graph does not have, but the centres. `node` is the node of every face.
 // Linear time.
 inline void measure_volumes(const Indexed_surface& surface,
