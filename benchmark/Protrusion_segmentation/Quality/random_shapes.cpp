@@ -258,6 +258,24 @@ Body rough(Random& random, Body body, double height, double frequency)
   };
 }
 
+// A body, in one half of the cases with limbs, that is full of valleys.
+Shape rough_shape(Random& random)
+{
+  Shape shape;
+  if (random.happens(.5))
+    shape = limbs(random);
+  else
+    shape.parts.push_back(random_body(random, random.in(.8, 1.2)));
+  const double frequency = random.in(9, 16), height = random.in(2, 3.5) / frequency;
+  const Random waves = random;
+  for (Body& part : shape.parts)
+  {
+    Random same_waves = waves;
+    part = rough(same_waves, part, height, frequency);
+  }
+  return shape;
+}
+
 Shape body_of_one_part(Random& random)
 {
   Shape shape;
@@ -317,7 +335,7 @@ Test_mesh sheet(Random& random)
 
 const std::vector<std::string>& kinds_of_random_shapes()
 {
-  static const std::vector<std::string> kinds = {"Pegs", "Limbs", "Animals", "Plates", "Sheets", "Cookies", "Tubes", "Bodies"};
+  static const std::vector<std::string> kinds = {"Pegs", "Limbs", "Animals", "Plates", "Sheets", "Cookies", "Tubes", "Bodies", "Rough"};
   return kinds;
 }
 
@@ -327,10 +345,11 @@ Test_mesh random_shape(std::size_t kind, std::uint32_t seed)
   if (kinds_of_random_shapes().at(kind) == "Sheets")
     return sheet(random);
   Shape (*const makers[])(Random&) = {pegs,   limbs,  animal,           plate_with_pegs,
-                                      nullptr, cookie, tube_of_one_part, body_of_one_part};
+                                      nullptr, cookie, tube_of_one_part, body_of_one_part, rough_shape};
   Shape shape = makers[kind](random);
   shape.blend = random.happens(.2) ? 0 : random.in(.01, .07);
-  Test_mesh mesh = mesh_of(shape, random.in(22, 55));
+  const double finer = kinds_of_random_shapes()[kind] == "Rough" ? 1.6 : 1; // valleys are narrow
+  Test_mesh mesh = mesh_of(shape, finer * random.in(22, 55));
   const double change = random.in(0, 1);
   if (change < .15)
     add_noise(random, mesh, random.in(.002, .012));

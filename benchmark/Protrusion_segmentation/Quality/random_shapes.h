@@ -14,7 +14,7 @@
 #include <vector>
 
 // Pegs on bodies, limbs (some with limbs of their own), animals, plates with legs or pegs, sheets (flat, bent, rough), cookies
-// (thick sheets), tubes and bodies that are one part.
+// (thick sheets), tubes, bodies that are one part, and bodies, some with limbs, that are full of valleys.
 const std::vector<std::string>& kinds_of_random_shapes();
 
 // The same for the same kind and seed. Of all kinds but sheets some shapes are open (no underside, or seen from one side
