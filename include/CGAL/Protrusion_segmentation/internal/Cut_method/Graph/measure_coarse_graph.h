@@ -158,7 +158,7 @@ inline double roughness(const Seam_graph& coarse)
 // What a valley says of a cut: little where the surface is full of as deep ones.
 inline double weight_of_valleys(double roughness)
 {
-  constexpr double roughness_of_half = 1.25; // nine of ten Princeton models have less, bark and brains have more; decisions.md
+  constexpr double roughness_of_half = 1.25; // all but one of 193 Princeton models have less, brains have 2; decisions.md
   return 1 / (1 + CGAL::square(CGAL::square(roughness / roughness_of_half)));
 }
 
