@@ -112,12 +112,25 @@ void arms_of_rough_balls_are_parts(std::uint_fast32_t seed)
   }
 }
 
+// A ball with as many spines is rough, too.
+void spines_are_parts()
+{
+  constexpr std::size_t spines = 60;
+  std::vector<Stick> sticks = {ball({0, 0, 0}, 1, 0)};
+  for (std::size_t i = 0; i < spines; ++i)
+    sticks.push_back({{0, 0, 0}, 1.5 * spread_direction(i, spines), 0.16, 0.02, i + 1});
+  const Test_mesh mesh = implicit_mesh({sticks, 0.04}, 0.05);
+  CGAL_CHECK(weight(mesh) < 0.5);
+  check_parts(mesh, automatic_segmentation(mesh), 0.9);
+}
+
 } // namespace
 
 int main()
 {
   the_root_of_curvature_is_averaged();
   valleys_of_rough_surfaces_say_little();
+  spines_are_parts();
   for (std::uint_fast32_t seed : {1, 2, 3})
   {
     weights_of_shapes(seed);

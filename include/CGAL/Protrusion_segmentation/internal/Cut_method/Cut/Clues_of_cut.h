@@ -136,11 +136,11 @@ public:
     // Earlier cuts leave no holes in a sheet: what is narrow between one and the border of the surface goes on behind it.
     constexpr double of_earlier = 3; // the same from 2.5 to 4 for plates with pegs, decisions.md
     Cut_clues clues;
-    clues.concave_share = m_graph.weight_of_valleys * m_concave_length / m_length;
     clues.relative_length = std::log(length_around(m_length + of_earlier * m_openness * m_earlier_length) / std::sqrt(m_smaller_area));
     clues.segment_size = std::log(m_bisection.segment().area);
     std::tie(clues.smaller_widening, clues.larger_widening) = std::minmax({inside.widening, outside.widening});
     std::tie(clues.smaller_shoulder, clues.larger_shoulder) = std::minmax({inside.shoulder, outside.shoulder});
+    clues.concave_share = weight_of_seam(clues.larger_shoulder) * m_concave_length / m_length;
     clues.roundness = std::log(4 * CGAL_PI * opening() / CGAL::square(length_around(m_length)) + 0.05);
     clues.neighbors = std::log(1 + m_earlier_length / m_length);
     clues.mean_cost = std::log(m_cost / m_length + 0.02);
@@ -153,6 +153,14 @@ public:
   }
 
 private:
+  // Valleys of a rough surface say little, unless something stands out of them as out of a wall.
+  double weight_of_seam(double shoulder) const
+  {
+    constexpr double least_shoulder = 0.7; // with .5 rough balls are cut, with 1 an urchin loses every other spine
+    const double share = (std::max)(0., (shoulder - least_shoulder) / (1 - least_shoulder));
+    return share + (1 - share) * m_graph.weight_of_valleys;
+  }
+
   // What is divided by a cut that ends at the border of the surface is measured as one half of a round body, of which a cut has a
   // circular opening and cuts off a cylinder. In units of the root of the area of both halves, it is longer by the root of
   // two.
