@@ -52,22 +52,14 @@ Test_mesh with_waves(const Test_mesh& mesh, double wavelength, double height, st
                      });
 }
 
-Test_mesh ball_with_arms(std::size_t arms)
-{
-  std::vector<Stick> sticks = {ball({0, 0, 0}, 1, 0)};
-  for (std::size_t i = 0; i < arms; ++i)
-    sticks.push_back({{0, 0, 0}, 2.2 * spread_direction(i, arms), 0.35, 0.3, i + 1});
-  return implicit_mesh({sticks, 0.05}, 0.08);
-}
-
-// Two borders of the same length, and one of twice that.
+// Of a length of six, two are concave and not sharp.
 void the_root_of_curvature_is_averaged()
 {
   Seam_graph graph;
   CGAL_CHECK_EQUAL(roughness(graph), 0.);
   graph.target = {1, 0, 1, 0, 1};
   graph.border_length = {1, 1, 2, 1, 1};
-  graph.curvature = {4, 16, -20, 0, 40}; // convex, flat and sharp borders are not rough
+  graph.curvature = {4, 16, -20, 0, 40}; // convex, flat and sharp borders count as length only
   CGAL_CHECK_CLOSE(roughness(graph), 1, 1e-9);
 }
 
@@ -88,7 +80,7 @@ double weight(const Test_mesh& mesh)
 // Whichever side their faces are turned to.
 void weights_of_shapes(std::uint_fast32_t seed)
 {
-  for (const Test_mesh& mesh : {icosphere(5), ball_with_arms(4), box(20, 20, 20)})
+  for (const Test_mesh& mesh : {icosphere(5), star(4, 1.5, 0.33, 0, 0.08), box(20, 20, 20)})
   {
     CGAL_CHECK(weight(mesh) > 0.95);
     CGAL_CHECK(weight(with_reversed_orientation(mesh)) > 0.95);
@@ -107,12 +99,12 @@ void arms_of_rough_balls_are_parts(std::uint_fast32_t seed)
 {
   for (const std::size_t arms : {2, 4})
   {
-    const Test_mesh mesh = with_waves(ball_with_arms(arms), 0.4, 0.04, seed);
+    const Test_mesh mesh = with_waves(star(arms, 1.5, 0.33, 0, 0.08), 0.4, 0.04, seed);
     check_parts(mesh, automatic_segmentation(mesh), 0.92);
   }
 }
 
-// A ball with as many spines is rough, too.
+// A ball with many spines is rough, too.
 void spines_are_parts()
 {
   constexpr std::size_t spines = 60;

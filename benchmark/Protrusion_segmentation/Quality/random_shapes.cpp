@@ -267,10 +267,9 @@ Shape rough_shape(Random& random)
   else
     shape.parts.push_back(random_body(random, random.in(.8, 1.2)));
   const double frequency = random.in(9, 16), height = random.in(2, 3.5) / frequency;
-  const Random waves = random;
   for (Body& part : shape.parts)
   {
-    Random same_waves = waves;
+    Random same_waves = random;
     part = rough(same_waves, part, height, frequency);
   }
   return shape;
