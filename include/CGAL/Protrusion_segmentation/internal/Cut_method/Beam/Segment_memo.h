@@ -5,13 +5,13 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_SEGMENT_MEMO_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_SEGMENT_MEMO_H
 
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/like_parts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 
 #include <algorithm>
 #include <deque>
-#include <limits>
 #include <map>
 #include <utility>
 #include <vector>
@@ -30,6 +30,7 @@ struct Cut_set
     double probability = 0;
     bool is_distinct = true;
     Size_of_part size = {};
+    double log_odds = 0; // by its clues alone
   };
 
   std::vector<Index> segments; // that are left, ascending
@@ -53,10 +54,10 @@ struct Cut_set
   // What a cut would add to the value: its own, with larger odds if there is a part like that one, cut off before or not.
   double gain(const Cut& cut, const Cut_weights& weights) const
   {
-    double least = std::numeric_limits<double>::infinity();
+    double evidence = cut.like_part;
     for (const Made_cut& made : cuts)
-      least = (std::min)(least, squared_difference(made.size, cut.size));
-    return value_of_cut(cut.log_odds + (std::max)(cut.like_part, weights.of_like_part(least)), cut.root_of_areas);
+      evidence = (std::max)(evidence, evidence_of_part(weights, cut, made.size, made.log_odds));
+    return value_of_cut(cut.log_odds + evidence, cut.root_of_areas);
   }
 
   Cut_set with(const Made_cut& cut) const
@@ -121,7 +122,7 @@ public:
   // `value`: what the cut adds to that of the set in which it is made
   Cut_set::Made_cut made_cut(Index id, const Cut& cut, double value)
   {
-    return made_cut(id, cut.inner, {0, 0, 0, value, cut.probability, is_distinct(cut.clues), cut.size});
+    return made_cut(id, cut.inner, {0, 0, 0, value, cut.probability, is_distinct(cut.clues), cut.size, cut.log_odds});
   }
 
   // The same cut of another segment.

@@ -20,6 +20,13 @@ inline bool may_be_part(const Cut_weights& weights, const Cut& cut)
   return cut.log_odds >= -weights.like_part && is_distinct(cut.clues);
 }
 
+// What a part says for a cut that separates one like it: as much as it takes to be as sure as that one, and more, since there are two.
+inline double evidence_of_part(const Cut_weights& weights, const Cut& cut, const Size_of_part& size, double log_odds)
+{
+  const double missing = may_be_part(weights, cut) ? (std::max)(0., log_odds - cut.log_odds) : 0;
+  return weights.likeness(squared_difference(size, cut.size)) * (weights.like_part + missing);
+}
+
 // Finds parts that are like others, of all cuts of a surface before the first one is made. Each arm of a wide star says little by
 // itself, but all arms together say much. Only like a sure part is evidence, if there are any.
 inline void find_like_parts(const Cut_options& options, std::vector<Cut>& cuts)
@@ -33,7 +40,7 @@ inline void find_like_parts(const Cut_options& options, std::vector<Cut>& cuts)
       const double difference = squared_difference(cut.size, other.size);
       if (may_be_part(weights, cut) && may_be_part(weights, other) && (is_sure(other) || !any_is_sure) &&
           weights.is_like(difference) && are_disjoint(cut.inner, other.inner))
-        cut.like_part = (std::max)(cut.like_part, weights.of_like_part(difference));
+        cut.like_part = (std::max)(cut.like_part, weights.like_part * weights.likeness(difference));
     }
 }
 

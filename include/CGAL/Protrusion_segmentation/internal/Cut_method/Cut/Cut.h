@@ -40,7 +40,7 @@ struct Cut
   Nodes inner;              // of smaller area, or with the tip that was given
   double root_of_areas = 0; // of the product of the areas of both sides
   Cut_clues clues = {};
-  Size_of_part size = {};   // of the inner side
+  Size_of_part size = {};   // see `Sizes_of_parts`
   double log_odds = 0;      // of the sides belonging apart, by the clues alone
   double like_part = 0;     // what a part like this one, elsewhere in the segment, adds to these
   double value = 0;         // higher is better, below 0 it separates what belongs together
@@ -110,8 +110,6 @@ public:
     cut.inner = bisection.inner();
     cut.root_of_areas = std::sqrt(bisection.inner_area() * (segment.area - bisection.inner_area()));
     cut.clues = clues(m_strips);
-    const double log_area = std::log(bisection.inner_area());
-    cut.size = {log_area, cut.clues.relative_length + log_area / 2, cut.clues.thickness};
     value_by_clues(m_options.weights, cut);
     return cut;
   }

@@ -79,10 +79,10 @@ struct Cut_weights
     return squared_difference < deviation_of_like_part * deviation_of_like_part;
   }
 
-  // What a part says that differs by that much from the most similar one that has been cut off before.
-  double of_like_part(double squared_difference) const
+  // How much a part is like one that differs from it by that much: 1 if they are equal.
+  double likeness(double squared_difference) const
   {
-    return like_part * std::exp(-squared_difference / (2 * deviation_of_like_part * deviation_of_like_part));
+    return std::exp(-squared_difference / (2 * deviation_of_like_part * deviation_of_like_part));
   }
 };
 
