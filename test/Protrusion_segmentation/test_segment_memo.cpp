@@ -5,6 +5,7 @@
 // Segments that are found again by their nodes, and sets of cuts of them.
 
 #include "check.h"
+#include "distinct_cuts.h"
 #include "dual_graphs.h"
 #include "node_sets.h"
 #include "test_meshes.h"
@@ -131,6 +132,28 @@ void a_part_like_one_cut_off_before_gains_more()
     CGAL_CHECK(gain_beside({near}) > alone && gain_beside({near}) < beside_equal);
 }
 
+// A cut that marks a place is as sure as that of a part like its own, and `like_part` surer. One that does not is not, nor one that
+// even a like part makes no protrusion, nor one whose part is cut off by another.
+void a_part_is_as_sure_as_one_like_it()
+{
+  internal::Cut_weights weights;
+  weights.like_part = 1;
+  const internal::Size_of_part size = {-3, -1, 0.5};
+  const auto evidence = [&](double log_odds, double of_other, internal::Size_of_part other)
+  { return internal::evidence_of_part(weights, cut_of({1}, log_odds, size), other, of_other); };
+  CGAL_CHECK_CLOSE(evidence(0.5, 3, size), 3.5, 1e-12);
+  CGAL_CHECK_CLOSE(evidence(-1, 3, size), 5, 1e-12);
+  CGAL_CHECK_CLOSE(evidence(-1.1, 3, size), 1, 1e-12);
+  CGAL_CHECK_CLOSE(evidence(3, 0.5, size), 1, 1e-12); // it is surer itself
+  CGAL_CHECK_CLOSE(evidence(0.5, 3, {-3.15, -1, 0.5}), 3.5 * std::exp(-0.5), 1e-12);
+  internal::Cut anywhere = cut_of({1}, 0.5, size);
+  anywhere.clues.larger_widening = 0;
+  CGAL_CHECK_CLOSE(internal::evidence_of_part(weights, anywhere, size, 3), 1, 1e-12);
+  internal::Cut repeated = cut_of({1}, 0.5, size);
+  repeated.size.is_repeated = true;
+  CGAL_CHECK_CLOSE(internal::evidence_of_part(weights, repeated, size, 3), 1, 1e-12);
+}
+
 int main()
 {
   for (std::uint_fast32_t seed = 0; seed < 20; ++seed)
@@ -138,5 +161,6 @@ int main()
   a_segment_is_the_same_in_any_order_of_cuts();
   sets_add_up();
   a_part_like_one_cut_off_before_gains_more();
+  a_part_is_as_sure_as_one_like_it();
   return check::result();
 }

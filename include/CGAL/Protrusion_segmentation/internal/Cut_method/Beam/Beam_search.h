@@ -13,6 +13,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/like_parts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/number_of_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Sizes_of_parts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 
@@ -38,7 +39,7 @@ public:
 
   // The arguments must outlive the object.
   Beam_search(const Volume_graph& graph, Segment_search& search, const Cut_options& options)
-    : m_search(search), m_options(options), m_memo(graph), m_sure_cuts(graph, m_memo, options), m_found_parts(options.weights)
+    : m_graph(graph), m_search(search), m_options(options), m_memo(graph), m_sure_cuts(graph, m_memo, options), m_found_parts(options.weights)
   {
     Nodes all(graph.number_of_nodes());
     std::iota(all.begin(), all.end(), Index(0));
@@ -140,11 +141,11 @@ private:
       segments.push_back(&m_memo[id].segment);
     std::vector<std::vector<Cut>> cuts = m_search(segments);
     const bool is_before_first_cut = m_best.size() == 1;
-    if (is_before_first_cut && m_options.sure_log_odds < infinity)
-      find_like_parts(m_options, cuts.front());
     for (std::size_t i = 0; i < ids.size(); ++i)
     {
       add_found_parts(ids[i], cuts[i]);
+      if (is_before_first_cut && m_options.sure_log_odds < infinity)
+        find_like_parts(m_options, cuts[i]);
       m_memo.set_cuts(ids[i], std::move(cuts[i]));
     }
   }
@@ -153,12 +154,15 @@ private:
   void add_found_parts(Index id, std::vector<Cut>& cuts)
   {
     const Segment& segment = m_memo[id].segment;
+    const Sizes_of_parts sizes(m_graph, segment);
+    sizes(cuts);
     const auto set = std::find_if(m_beam.begin(), m_beam.end(), [&](const Cut_set& other)
                                   { return std::binary_search(other.segments.begin(), other.segments.end(), id); });
     const std::vector<Nodes> found = m_found_parts.like_those_of(*set, segment, cuts);
     m_found_parts.add(cuts);
     for (const Nodes& nodes : found)
       add_different(cuts, m_search.cut_around(segment, nodes));
+    sizes(cuts);
     sort_best_first(cuts);
   }
 
@@ -247,6 +251,7 @@ private:
     return result;
   }
 
+  const Volume_graph& m_graph;
   Segment_search& m_search;
   const Cut_options& m_options;
   Segment_memo m_memo;

@@ -13,7 +13,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Candidates/regions.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Candidates/tip_orders.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Sizes_of_parts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
@@ -103,7 +102,7 @@ public:
     make_cuts(all);
     std::vector<std::vector<Cut>> result;
     for (Work& work : all)
-      result.push_back(best_different(work));
+      result.push_back(best_different(std::move(work.cuts)));
     return result;
   }
 
@@ -120,7 +119,7 @@ public:
     choose_candidates(m_workspaces.own(), all.front(), accept);
     make_cuts(all);
     std::optional<Cut> best;
-    for (Cut& cut : best_different(all.front()))
+    for (Cut& cut : best_different(std::move(all.front().cuts)))
     {
       if (!std::binary_search(cut.inner.begin(), cut.inner.end(), tip))
         cut.inner = other_side(segment, cut.inner);
@@ -133,10 +132,7 @@ public:
   // The cut around given nodes of a segment.
   std::optional<Cut> cut_around(const Segment& segment, const Nodes& nodes)
   {
-    std::optional<Cut> cut = m_workspaces.own().cutter.cut_around(segment, nodes);
-    if (cut)
-      cut->size = Sizes_of_parts(m_graphs.coarse, segment)(*cut);
-    return cut;
+    return m_workspaces.own().cutter.cut_around(segment, nodes);
   }
 
   Nodes_by_distance from_tip(const Segment& segment, Index tip)
@@ -242,14 +238,11 @@ private:
              });
   }
 
-  std::vector<Cut> best_different(Work& work) const
+  static std::vector<Cut> best_different(std::vector<std::optional<Cut>> cuts)
   {
-    const Sizes_of_parts sizes(m_graphs.coarse, *work.segment);
     std::vector<Cut> result;
-    for (std::optional<Cut>& cut : work.cuts)
+    for (std::optional<Cut>& cut : cuts)
       add_different(result, std::move(cut));
-    for (Cut& cut : result)
-      cut.size = sizes(cut);
     sort_best_first(result);
     return result;
   }

@@ -23,7 +23,7 @@ inline bool may_be_part(const Cut_weights& weights, const Cut& cut)
 // What a part says for a cut that separates one like it: as much as it takes to be as sure as that one, and more, since there are two.
 inline double evidence_of_part(const Cut_weights& weights, const Cut& cut, const Size_of_part& size, double log_odds)
 {
-  const double missing = may_be_part(weights, cut) ? (std::max)(0., log_odds - cut.log_odds) : 0;
+  const double missing = may_be_part(weights, cut) && !cut.size.is_repeated ? (std::max)(0., log_odds - cut.log_odds) : 0;
   return weights.likeness(squared_difference(size, cut.size)) * (weights.like_part + missing);
 }
 

@@ -26,6 +26,7 @@ namespace CGAL::Protrusion_segmentation::internal {
 struct Size_of_part
 {
   double area = 0, length = 0, thickness = 0; // length: that of the cut
+  bool is_repeated = false;                   // whether an earlier cut, or a surer one, separates nearly the same part
 };
 
 inline double squared_difference(const Size_of_part& a, const Size_of_part& b)

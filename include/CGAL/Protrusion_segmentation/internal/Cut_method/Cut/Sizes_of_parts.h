@@ -25,9 +25,9 @@ class Sizes_of_parts
 public:
   using Index = Dual_graph::Index;
 
-  // The graph must outlive the object. Linear time.
+  // The arguments must outlive the object. Linear time.
   Sizes_of_parts(const Dual_graph& graph, const Segment& segment)
-    : m_graph(graph), m_area(segment.area), m_piece(graph.number_of_nodes(), no_piece)
+    : m_graph(graph), m_segment(segment), m_total(segment.area), m_piece(graph.number_of_nodes(), no_piece)
   {
     for (Index i : segment.nodes)
       m_piece[i] = in_segment;
@@ -40,24 +40,55 @@ public:
       }
   }
 
-  Size_of_part operator()(const Cut& cut) const
+  // Measures the parts of some cuts of the segment.
+  void operator()(std::vector<Cut>& cuts) const
+  {
+    std::vector<Nodes> parts; // as far as they lie in the segment
+    for (Cut& cut : cuts)
+      parts.push_back(measure(cut) ? cut.inner : other_side(m_segment, cut.inner));
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+      for (std::size_t j = 0; j < cuts.size(); ++j)
+        if (cuts[j].log_odds > cuts[i].log_odds && are_nearly_equal(cuts[i].size.area, cuts[j].size.area) &&
+            !are_disjoint(parts[i], parts[j]))
+          cuts[i].size.is_repeated = true;
+  }
+
+private:
+  static constexpr Index no_piece = (std::numeric_limits<Index>::max)(), in_segment = no_piece - 1;
+
+  static bool are_nearly_equal(double log_area, double other)
+  {
+    constexpr double largest_difference = 0.45; // three deviations of parts that are alike
+    return std::abs(log_area - other) < largest_difference;
+  }
+
+  // Whether the part is on the inner side.
+  bool measure(Cut& cut) const
   {
     std::vector<std::size_t> contacts(m_areas.size(), 0);
     for (Index i : cut.inner)
       for (Index arc : m_graph.arcs(i))
         count(arc, contacts);
+    const auto is_next_to = [&](bool inner, std::size_t p) { return contacts[p] == (inner ? m_contacts[p] : 0); };
     const double inner_area = m_graph.area_of(cut.inner);
-    double inside = inner_area, outside = m_area - inner_area;
+    double inside = inner_area, outside = m_segment.area - inner_area;
     for (std::size_t p = 0; p < m_areas.size(); ++p)
-      if (contacts[p] == m_contacts[p])
-        inside += m_areas[p];
-      else if (contacts[p] == 0)
-        outside += m_areas[p];
-    return {std::log((std::min)(inside, outside)), cut.clues.relative_length + std::log(inner_area) / 2, cut.clues.thickness};
+    {
+      inside += is_next_to(true, p) ? m_areas[p] : 0;
+      outside += is_next_to(false, p) ? m_areas[p] : 0;
+    }
+    const bool is_inner = inside <= outside;
+    const double log_area = std::log((std::min)(inside, outside));
+    bool is_repeated = false; // by an earlier cut that is beyond this one, or before it
+    for (std::size_t p = 0; p < m_areas.size(); ++p)
+    {
+      const double rest = m_total - m_areas[p];
+      is_repeated = is_repeated || (is_next_to(m_areas[p] <= rest ? is_inner : !is_inner, p) &&
+                                    are_nearly_equal(std::log((std::min)(m_areas[p], rest)), log_area));
+    }
+    cut.size = {log_area, cut.clues.relative_length + std::log(inner_area) / 2, cut.clues.thickness, is_repeated};
+    return is_inner;
   }
-
-private:
-  static constexpr Index no_piece = (std::numeric_limits<Index>::max)(), in_segment = no_piece - 1;
 
   // Makes the nodes outside of the segment that are connected to one a piece.
   void add_piece(Index seed)
@@ -73,6 +104,7 @@ private:
           nodes.push_back(j);
         }
     m_areas.push_back(m_graph.area_of(nodes));
+    m_total += m_areas.back();
     m_contacts.push_back(0);
   }
 
@@ -83,7 +115,8 @@ private:
   }
 
   const Dual_graph& m_graph;
-  double m_area;                       // of the segment
+  const Segment& m_segment;
+  double m_total;                      // area of all that the segment is connected to
   std::vector<Index> m_piece;          // of every node
   std::vector<double> m_areas;         // of the pieces of the rest,
   std::vector<std::size_t> m_contacts; // and the arcs to each from the segment
