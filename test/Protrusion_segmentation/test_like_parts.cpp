@@ -110,6 +110,14 @@ void wide_arms_come_off_together(std::size_t arms)
   }
 }
 
+// These gears lost one to three teeth: on a thin ring the last ones widen less beside earlier borders than the first.
+void the_last_teeth_are_as_sure_as_the_first()
+{
+  for (const Test_mesh& mesh : {gear(9, 0.525, 1.2, 0.3), gear(9, 0.525, 1.3, 0.2), gear(13, 0.575, 1.3, 0.2),
+                                gear(11, 0.625, 1.3, 0.3)})
+    CGAL_CHECK(as_partition(automatic_segmentation(mesh).labels) == as_partition(mesh.parts));
+}
+
 int main()
 {
   equal_parts_say_the_full_weight();
@@ -117,5 +125,6 @@ int main()
   beside_sure_parts_only_these_are_evidence();
   for (std::size_t arms = 4; arms <= 9; ++arms)
     wide_arms_come_off_together(arms);
+  the_last_teeth_are_as_sure_as_the_first();
   return check::result();
 }
