@@ -11,11 +11,13 @@
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Sizes_of_parts.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace test_meshes {
@@ -119,7 +121,11 @@ private:
   const std::vector<internal::Cut>& cuts_of(Index s)
   {
     if (!m_memo[s].is_searched)
-      m_memo.set_cuts(s, m_search({&m_memo[s].segment}).front());
+    {
+      std::vector<internal::Cut> cuts = m_search({&m_memo[s].segment}).front();
+      internal::Sizes_of_parts(m_graphs.coarse, m_memo[s].segment)(cuts);
+      m_memo.set_cuts(s, std::move(cuts));
+    }
     return m_memo[s].cuts;
   }
 
