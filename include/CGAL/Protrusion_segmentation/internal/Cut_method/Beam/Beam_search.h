@@ -39,7 +39,12 @@ public:
 
   // The arguments must outlive the object.
   Beam_search(const Volume_graph& graph, Segment_search& search, const Cut_options& options)
-    : m_graph(graph), m_search(search), m_options(options), m_memo(graph), m_sure_cuts(graph, m_memo, options), m_found_parts(options.weights)
+    : m_graph(graph),
+      m_search(search),
+      m_options(options),
+      m_memo(graph),
+      m_sure_cuts(graph, m_memo, options),
+      m_found_parts(options.weights)
   {
     Nodes all(graph.number_of_nodes());
     std::iota(all.begin(), all.end(), Index(0));
@@ -150,19 +155,19 @@ private:
     }
   }
 
-  // Adds to a segment's cuts those around parts that were found before and are like one that has been cut off.
+  // Measures the parts of a segment's cuts, and adds cuts around those that were found before and are like one that has been cut off.
   void add_found_parts(Index id, std::vector<Cut>& cuts)
   {
     const Segment& segment = m_memo[id].segment;
-    const Sizes_of_parts sizes(m_graph, segment);
-    sizes(cuts);
+    const Sizes_of_parts measure(m_graph, segment);
+    measure(cuts);
     const auto set = std::find_if(m_beam.begin(), m_beam.end(), [&](const Cut_set& other)
                                   { return std::binary_search(other.segments.begin(), other.segments.end(), id); });
     const std::vector<Nodes> found = m_found_parts.like_those_of(*set, segment, cuts);
     m_found_parts.add(cuts);
     for (const Nodes& nodes : found)
       add_different(cuts, m_search.cut_around(segment, nodes));
-    sizes(cuts);
+    measure(cuts);
     sort_best_first(cuts);
   }
 

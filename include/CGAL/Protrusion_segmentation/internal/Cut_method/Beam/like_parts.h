@@ -20,7 +20,8 @@ inline bool may_be_part(const Cut_weights& weights, const Cut& cut)
   return cut.log_odds >= -weights.like_part && is_distinct(cut.clues);
 }
 
-// What a part says for a cut that separates one like it: as much as it takes to be as sure as that one, and more, since there are two.
+// What a part of that size, cut off with those log odds, says for a cut that separates one like it: as much as it takes to be as
+// sure as that one, and more, since there are two.
 inline double evidence_of_part(const Cut_weights& weights, const Cut& cut, const Size_of_part& size, double log_odds)
 {
   const double missing = may_be_part(weights, cut) && !cut.size.is_repeated ? (std::max)(0., log_odds - cut.log_odds) : 0;
