@@ -105,7 +105,8 @@ void cuts_are_valid(const Test_mesh& mesh)
     CGAL_CHECK(are_connected(partition, cut.inner) && are_connected(partition, outer));
     CGAL_CHECK(internal::is_large_enough(graph.area_of(cut.inner), 1));
     CGAL_CHECK(std::find(sides.begin(), sides.end(), cut.inner) == sides.end());
-    CGAL_CHECK(cut.probability > 0 && cut.probability < 1);
+    const double probability = internal::probability_of_border(cut.log_odds);
+    CGAL_CHECK(probability > 0 && probability < 1);
     sides.push_back(cut.inner);
   }
 }

@@ -23,9 +23,9 @@ namespace {
 using namespace CGAL::Protrusion_segmentation::internal;
 
 // Nodes 0 to n - 1 in a row, node i of area i + 1; of a ring the last one is next to the first.
-Dual_graph row(Index n, bool is_ring)
+Seam_graph row(Index n, bool is_ring)
 {
-  Dual_graph graph;
+  Seam_graph graph;
   for (Index i = 0; i < n; ++i)
   {
     if (i > 0 || is_ring)
@@ -38,13 +38,8 @@ Dual_graph row(Index n, bool is_ring)
   return graph;
 }
 
-Segment segment_of(const Dual_graph& graph, const Nodes& nodes)
-{
-  return {nodes, graph.area_of(nodes)};
-}
-
 // The sizes of the parts of the cuts around some sides of a segment, each surer than the one before.
-std::vector<Size_of_part> sizes(const Dual_graph& graph, const Nodes& segment, const std::vector<Nodes>& sides)
+std::vector<Size_of_part> sizes(const Seam_graph& graph, const Nodes& segment, const std::vector<Nodes>& sides)
 {
   std::vector<Cut> cuts;
   for (const Nodes& side : sides)
@@ -56,20 +51,21 @@ std::vector<Size_of_part> sizes(const Dual_graph& graph, const Nodes& segment, c
     cut.log_odds = static_cast<double>(cuts.size());
     cuts.push_back(cut);
   }
-  const Segment all = segment_of(graph, segment);
-  Sizes_of_parts(graph, all)(cuts);
+  Graph_partition partition(graph);
+  const Segment all = {segment, graph.area_of(segment)};
+  Sizes_of_parts(partition, Cut_weights(), all)(cuts);
   std::vector<Size_of_part> result;
   for (const Cut& cut : cuts)
     result.push_back(cut.size);
   return result;
 }
 
-double area_of_part(const Dual_graph& graph, const Nodes& segment, const Nodes& side)
+double area_of_part(const Seam_graph& graph, const Nodes& segment, const Nodes& side)
 {
   return std::exp(sizes(graph, segment, {side})[0].area);
 }
 
-std::vector<bool> are_repeated(const Dual_graph& graph, const Nodes& segment, const std::vector<Nodes>& sides)
+std::vector<bool> are_repeated(const Seam_graph& graph, const Nodes& segment, const std::vector<Nodes>& sides)
 {
   std::vector<bool> result;
   for (const Size_of_part& size : sizes(graph, segment, sides))
@@ -80,7 +76,7 @@ std::vector<bool> are_repeated(const Dual_graph& graph, const Nodes& segment, co
 // Ten nodes, of area 55.
 void what_was_cut_off_before_belongs_to_the_part()
 {
-  const Dual_graph graph = row(10, false);
+  const Seam_graph graph = row(10, false);
   CGAL_CHECK_CLOSE(area_of_part(graph, all_nodes(graph), {0, 1, 2}), 6, 1e-12);
   CGAL_CHECK_CLOSE(area_of_part(graph, {2, 3, 4, 5}, {2, 3}), 10, 1e-12);
   CGAL_CHECK_CLOSE(area_of_part(graph, {2, 3, 4, 5}, {4, 5}), 10, 1e-12); // 45 with the rest: the other side is the part
@@ -91,7 +87,7 @@ void what_was_cut_off_before_belongs_to_the_part()
 // The rest of a ring is next to both sides and belongs to neither.
 void the_rest_of_a_ring_belongs_to_no_part()
 {
-  const Dual_graph graph = row(10, true);
+  const Seam_graph graph = row(10, true);
   CGAL_CHECK_CLOSE(area_of_part(graph, {2, 3, 4, 5}, {2, 3}), 7, 1e-12);
   CGAL_CHECK_CLOSE(area_of_part(graph, {2, 3, 4, 5}, {3}), 4, 1e-12);
 }
@@ -106,7 +102,7 @@ void length_and_thickness_are_those_of_the_cut()
 // A band around the foot of a leg makes no other leg.
 void nearly_the_same_part_is_cut_off_once()
 {
-  const Dual_graph graph = row(10, false);
+  const Seam_graph graph = row(10, false);
   using Answers = std::vector<bool>;
   CGAL_CHECK((are_repeated(graph, all_nodes(graph), {{0, 1, 2, 3, 4}, {0, 1, 2, 3, 4, 5}}) == Answers{true, false})); // 15, 21
   CGAL_CHECK((are_repeated(graph, all_nodes(graph), {{0, 1, 2}, {0, 1, 2, 3, 4, 5}}) == Answers{false, false}));       // 6, 21

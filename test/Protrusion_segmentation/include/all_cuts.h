@@ -32,7 +32,8 @@ public:
     : m_surface(to_surface(mesh)),
       m_graphs(m_surface, default_options(), quiet_execution()),
       m_search(m_surface, m_graphs, m_distance, default_options(), quiet_execution()),
-      m_memo(m_graphs.coarse)
+      m_memo(m_graphs.coarse),
+      m_partition(m_graphs.coarse)
   {
     m_whole.segments.push_back(m_memo.find_or_add(all_nodes(m_graphs.coarse)));
   }
@@ -123,7 +124,7 @@ private:
     if (!m_memo[s].is_searched)
     {
       std::vector<internal::Cut> cuts = m_search({&m_memo[s].segment}).front();
-      internal::Sizes_of_parts(m_graphs.coarse, m_memo[s].segment)(cuts);
+      internal::Sizes_of_parts(m_partition, default_options().weights, m_memo[s].segment)(cuts);
       m_memo.set_cuts(s, std::move(cuts));
     }
     return m_memo[s].cuts;
@@ -134,6 +135,7 @@ private:
   internal::Graphs_of_surface m_graphs;
   internal::Segment_search m_search;
   internal::Segment_memo m_memo;
+  internal::Graph_partition m_partition;
   Cut_set m_whole;
 };
 

@@ -16,6 +16,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Sizes_of_parts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -39,7 +40,7 @@ public:
 
   // The arguments must outlive the object.
   Beam_search(const Volume_graph& graph, Segment_search& search, const Cut_options& options)
-    : m_graph(graph),
+    : m_partition(graph),
       m_search(search),
       m_options(options),
       m_memo(graph),
@@ -159,12 +160,14 @@ private:
   void add_found_parts(Index id, std::vector<Cut>& cuts)
   {
     const Segment& segment = m_memo[id].segment;
-    const Sizes_of_parts measure(m_graph, segment);
+    const Sizes_of_parts measure(m_partition, m_options.weights, segment);
     measure(cuts);
     const auto set = std::find_if(m_beam.begin(), m_beam.end(), [&](const Cut_set& other)
                                   { return std::binary_search(other.segments.begin(), other.segments.end(), id); });
     const std::vector<Nodes> found = m_found_parts.like_those_of(*set, segment, cuts);
     m_found_parts.add(cuts);
+    if (found.empty())
+      return;
     for (const Nodes& nodes : found)
       add_different(cuts, m_search.cut_around(segment, nodes));
     measure(cuts);
@@ -256,7 +259,7 @@ private:
     return result;
   }
 
-  const Volume_graph& m_graph;
+  Graph_partition m_partition;
   Segment_search& m_search;
   const Cut_options& m_options;
   Segment_memo m_memo;

@@ -27,10 +27,9 @@ struct Cut_set
   {
     Index segment, inner, outer;
     double value;
-    double probability = 0;
+    double log_odds = 0; // by its clues alone
     bool is_distinct = true;
     Size_of_part size = {};
-    double log_odds = 0; // by its clues alone
   };
 
   std::vector<Index> segments; // that are left, ascending
@@ -122,7 +121,7 @@ public:
   // `value`: what the cut adds to that of the set in which it is made
   Cut_set::Made_cut made_cut(Index id, const Cut& cut, double value)
   {
-    return made_cut(id, cut.inner, {0, 0, 0, value, cut.probability, is_distinct(cut.clues), cut.size, cut.log_odds});
+    return made_cut(id, cut.inner, {0, 0, 0, value, cut.log_odds, is_distinct(cut.clues), cut.size});
   }
 
   // The same cut of another segment.

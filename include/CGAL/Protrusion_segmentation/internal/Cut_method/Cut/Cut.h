@@ -45,7 +45,6 @@ struct Cut
   double log_odds = 0;      // of the sides belonging apart, by the clues alone
   double like_part = 0;     // what a part like this one, elsewhere in the segment, adds to these
   double value = 0;         // higher is better, below 0 it separates what belongs together
-  double probability = 0;   // that people put the sides into different segments
 };
 
 // The value of a cut: the probability that the sides belong apart, less the one that they belong together, times the root of the
@@ -60,7 +59,6 @@ inline double value_of_cut(double log_odds, double root_of_areas)
 inline void value_by_clues(const Cut_weights& weights, Cut& cut)
 {
   cut.log_odds = weights(cut.clues);
-  cut.probability = probability_of_border(cut.log_odds);
   cut.value = value_of_cut(cut.log_odds, cut.root_of_areas);
 }
 

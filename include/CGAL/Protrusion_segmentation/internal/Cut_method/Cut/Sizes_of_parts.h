@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_CUT_SIZES_OF_PARTS_H
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_weights.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 
@@ -25,17 +26,22 @@ class Sizes_of_parts
 public:
   using Index = Dual_graph::Index;
 
-  // The arguments must outlive the object. Linear time.
-  Sizes_of_parts(const Dual_graph& graph, const Segment& segment)
-    : m_graph(graph), m_segment(segment), m_total(segment.area), m_piece(graph.number_of_nodes(), no_piece)
+  // Selects the segment. The graph of the partition, the weights and the segment must outlive the object. Linear time.
+  Sizes_of_parts(Graph_partition& partition, const Cut_weights& weights, const Segment& segment)
+    : m_graph(partition.graph()),
+      m_weights(weights),
+      m_segment(segment),
+      m_total(segment.area),
+      m_piece(m_graph.number_of_nodes(), no_piece)
   {
+    partition.select(segment);
+    const auto is_rest = [&](Index i) { return !partition.is_selected(i); };
     for (Index i : segment.nodes)
-      m_piece[i] = in_segment;
-    for (Index i : segment.nodes)
-      for (Index arc : graph.arcs(i))
+      for (Index arc : m_graph.arcs(i))
       {
-        if (m_piece[graph.target[arc]] == no_piece)
-          add_piece(graph.target[arc]);
+        const Index j = m_graph.target[arc];
+        if (is_rest(j) && m_piece[j] == no_piece)
+          add_piece(partition.connected_nodes(j, is_rest));
         count(arc, m_contacts);
       }
   }
@@ -54,12 +60,13 @@ public:
   }
 
 private:
-  static constexpr Index no_piece = (std::numeric_limits<Index>::max)(), in_segment = no_piece - 1;
+  static constexpr Index no_piece = (std::numeric_limits<Index>::max)(); // in the segment
 
-  static bool are_nearly_equal(double log_area, double other)
+  // What differs by more says nothing for each other.
+  bool are_nearly_equal(double log_area, double other) const
   {
-    constexpr double largest_difference = 0.45; // three deviations of parts that are alike
-    return std::abs(log_area - other) < largest_difference;
+    constexpr double largest_difference = 3; // in deviations of parts that are alike
+    return std::abs(log_area - other) < largest_difference * m_weights.deviation_of_like_part;
   }
 
   // Whether the part is on the inner side.
@@ -90,19 +97,10 @@ private:
     return is_inner;
   }
 
-  // Makes the nodes outside of the segment that are connected to one a piece.
-  void add_piece(Index seed)
+  void add_piece(const Nodes& nodes)
   {
-    const Index piece = static_cast<Index>(m_areas.size());
-    Nodes nodes(1, seed);
-    m_piece[seed] = piece;
-    for (std::size_t k = 0; k < nodes.size(); ++k)
-      for (Index arc : m_graph.arcs(nodes[k]))
-        if (const Index j = m_graph.target[arc]; m_piece[j] == no_piece)
-        {
-          m_piece[j] = piece;
-          nodes.push_back(j);
-        }
+    for (Index i : nodes)
+      m_piece[i] = static_cast<Index>(m_areas.size());
     m_areas.push_back(m_graph.area_of(nodes));
     m_total += m_areas.back();
     m_contacts.push_back(0);
@@ -110,11 +108,12 @@ private:
 
   void count(Index arc, std::vector<std::size_t>& contacts) const
   {
-    if (const Index piece = m_piece[m_graph.target[arc]]; piece != in_segment)
+    if (const Index piece = m_piece[m_graph.target[arc]]; piece != no_piece)
       ++contacts[piece];
   }
 
   const Dual_graph& m_graph;
+  const Cut_weights& m_weights;
   const Segment& m_segment;
   double m_total;                      // area of all that the segment is connected to
   std::vector<Index> m_piece;          // of every node

@@ -7,6 +7,7 @@
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/Protrusion.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_weights.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Border_arcs.h>
@@ -54,7 +55,7 @@ private:
     result.segment = s;
     result.parent = m_segments.parents()[s];
     result.value = m_segments.cut(s)->value;
-    result.probability = m_segments.cut(s)->probability;
+    result.probability = probability_of_border(m_segments.cut(s)->log_odds);
     result.area = m_segments.areas_beyond()[s] * m_unit * m_unit;
     result.border_length = border_length * m_unit;
     return result;
