@@ -9,7 +9,7 @@
 #include "segments_of_graphs.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/cuts_of_tips.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/cuts_of_tips.h>
 
 #include <algorithm>
 #include <cstddef>

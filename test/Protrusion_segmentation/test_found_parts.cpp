@@ -9,7 +9,7 @@
 #include "segmentations.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Found_parts.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Found_parts.h>
 
 #include <cstddef>
 #include <vector>

@@ -9,7 +9,7 @@
 #include "segmentations.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/like_parts.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/like_parts.h>
 
 #include <cmath>
 #include <cstddef>

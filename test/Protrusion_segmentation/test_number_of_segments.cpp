@@ -6,7 +6,7 @@
 
 #include "check.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/number_of_segments.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/number_of_segments.h>
 
 #include <cstddef>
 #include <optional>

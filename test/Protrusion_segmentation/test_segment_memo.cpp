@@ -10,7 +10,7 @@
 #include "node_sets.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 
 #include <algorithm>
 #include <cmath>

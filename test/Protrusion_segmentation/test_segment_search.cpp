@@ -9,7 +9,7 @@
 #include "node_sets.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 
 #include <algorithm>
@@ -54,7 +54,7 @@ void best_cuts_of_a_star_are_its_arms()
 {
   const Test_mesh mesh = star(6);
   Search_of_mesh of_mesh(mesh);
-  const std::vector<Cut> cuts = of_mesh.search({&of_mesh.whole}).front();
+  const std::vector<Cut> cuts = of_mesh.search(of_mesh.whole);
   // more than one, but not always all: the others are found in what remains
   constexpr std::size_t least_number = 3;
   CGAL_CHECK(cuts.size() >= least_number);
@@ -70,23 +70,21 @@ void best_cuts_of_a_star_are_its_arms()
   }
 }
 
-// The same cuts whether segments are searched one by one or side by side, and by whatever was searched before.
+// The same cuts whatever was searched before.
 void segments_are_searched_independently()
 {
   const Test_mesh mesh = star(5);
   Search_of_mesh of_mesh(mesh), other(mesh);
-  const Cut first = of_mesh.search({&of_mesh.whole}).front().front();
+  const Cut first = of_mesh.search(of_mesh.whole).front();
   const internal::Segment rest = {internal::other_side(of_mesh.whole, first.inner),
                                   1 - of_mesh.graphs.coarse.area_of(first.inner)};
-  const auto one_by_one = of_mesh.search({&rest}).front();
-  const auto both = other.search({&rest, &other.whole});
-  CGAL_CHECK_EQUAL(both.size(), 2u);
-  CGAL_CHECK(both[1].front().inner == first.inner);
-  CGAL_CHECK_EQUAL(both[0].size(), one_by_one.size());
-  for (std::size_t c = 0; c < (std::min)(one_by_one.size(), both[0].size()); ++c)
+  const std::vector<Cut> found = of_mesh.search(rest), alone = other.search(rest);
+  CGAL_CHECK(other.search(other.whole).front().inner == first.inner);
+  CGAL_CHECK_EQUAL(found.size(), alone.size());
+  for (std::size_t c = 0; c < (std::min)(found.size(), alone.size()); ++c)
   {
-    CGAL_CHECK(both[0][c].inner == one_by_one[c].inner);
-    CGAL_CHECK_EQUAL(both[0][c].value, one_by_one[c].value);
+    CGAL_CHECK(found[c].inner == alone[c].inner);
+    CGAL_CHECK_EQUAL(found[c].value, alone[c].value);
   }
 }
 
@@ -97,7 +95,7 @@ void cuts_are_valid(const Test_mesh& mesh)
   const internal::Volume_graph& graph = of_mesh.graphs.coarse;
   internal::Graph_partition partition(graph);
   std::vector<Nodes> sides;
-  const std::vector<Cut> cuts = of_mesh.search({&of_mesh.whole}).front();
+  const std::vector<Cut> cuts = of_mesh.search(of_mesh.whole);
   for (const Cut& cut : cuts)
   {
     const Nodes outer = internal::other_side(of_mesh.whole, cut.inner);

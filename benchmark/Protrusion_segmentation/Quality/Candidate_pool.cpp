@@ -4,7 +4,7 @@
 
 #include "Candidate_pool.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
@@ -77,44 +77,44 @@ void Candidate_pool::count_shares(const std::vector<Labels>& humans)
 void Candidate_pool::begin_again(const Cut_weights& weights)
 {
   m_options.weights = weights;
-  auto beam = std::make_unique<PS::internal::Beam_search>(m_graphs.coarse, m_search, m_options);
-  for (Index id = 0; m_beam && id < m_beam->memo().number_of_segments(); ++id)
+  auto greedy = std::make_unique<PS::internal::Greedy_search>(m_graphs.coarse, m_search, m_options);
+  for (Index id = 0; m_greedy && id < m_greedy->memo().number_of_segments(); ++id)
   {
-    const PS::internal::Segment_memo::Entry& entry = m_beam->memo()[id];
+    const PS::internal::Segment_memo::Entry& entry = m_greedy->memo()[id];
     if (!entry.is_searched)
       continue;
     std::vector<PS::internal::Cut> cuts = entry.cuts;
     for (PS::internal::Cut& cut : cuts)
       PS::internal::value_by_clues(weights, cut);
     PS::internal::sort_best_first(cuts);
-    beam->memo().set_cuts(beam->memo().find_or_add(entry.segment.nodes), std::move(cuts));
+    greedy->memo().set_cuts(greedy->memo().find_or_add(entry.segment.nodes), std::move(cuts));
   }
-  m_beam = std::move(beam);
+  m_greedy = std::move(greedy);
 }
 
 Candidate_pool::Errors Candidate_pool::errors(const Cut_weights& weights)
 {
   begin_again(weights);
   const double with_number = rand_index_error(m_number_of_segments);
-  const std::size_t found = m_beam->automatic_number([](std::size_t) { return 0; });
+  const std::size_t found = m_greedy->automatic_number([](std::size_t) { return 0; });
   return {with_number, rand_index_error(found), found == m_number_of_segments};
 }
 
 // Pairs that one segmentation has together and the other one apart.
 double Candidate_pool::rand_index_error(std::size_t k)
 {
-  while (!m_beam->best(k))
+  while (!m_greedy->best(k))
     --k;
   const std::size_t number_of_humans = m_faces_of_human.size();
   std::vector<double> apart(number_of_humans); // so far, of the pairs that the human has together
   for (std::size_t h = 0; h < number_of_humans; ++h)
     apart[h] = sum_of_pairs(m_faces_of_human[h]);
-  for (const Index segment : m_beam->best(k)->segments)
+  for (const Index segment : m_greedy->best(k)->segments)
   {
     std::vector<std::vector<double>> common; // faces of every human and label in the segment
     for (const std::vector<double>& labels : m_faces_of_human)
       common.emplace_back(labels.size(), 0.);
-    for (const Index i : m_beam->memo()[segment].segment.nodes)
+    for (const Index i : m_greedy->memo()[segment].segment.nodes)
       for (const Share& share : m_shares[i])
         common[share.human][share.label] += share.faces;
     for (std::size_t h = 0; h < number_of_humans; ++h)

@@ -12,8 +12,8 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Beam_search.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Greedy_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
@@ -71,7 +71,7 @@ private:
   CGAL::Protrusion_segmentation::internal::Graphs_of_surface m_graphs;
   CGAL::Protrusion_segmentation::internal::Segment_search m_search;
   // its memo has all searched segments
-  std::unique_ptr<CGAL::Protrusion_segmentation::internal::Beam_search> m_beam;
+  std::unique_ptr<CGAL::Protrusion_segmentation::internal::Greedy_search> m_greedy;
   std::vector<std::vector<Share>> m_shares;          // of every node
   std::vector<std::vector<double>> m_faces_of_human; // of every human and label
 };

@@ -80,7 +80,6 @@ std::vector<Segmentation_method> ablation_methods()
   return {without("cost-of-seams", &Cut_options::cost_decay, 0.),
           without("level-sets", &Cut_options::level_sets, std::size_t(0)),
           without("regions", &Cut_options::regions, std::size_t(0)),
-          without("choosing-together", &Cut_options::number_of_sets, std::size_t(1)),
           without("sure-cuts-at-once", &Cut_options::sure_log_odds, std::numeric_limits<double>::infinity()),
           without("minimum-cut-on-faces", &Cut_options::moves_borders_on_faces, false),
           without_clues("concave-share", {{&Cut_weights::concave_share, 0.58}}),

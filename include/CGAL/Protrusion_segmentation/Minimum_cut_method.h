@@ -28,9 +28,9 @@ The cost of a cut is its length, reduced where it runs along a concave seam. The
 the distances from protrusion tips, and regions that are better connected inside than to their surroundings, such as
 the fin of a fish. A candidate is replaced by the minimum cut in a band around it if that is better. Clues give the evidence
 for a cut: the share of its length in a concave seam, its length, how suddenly the surface widens behind it, and others.
-The evidence and the areas of both sides give the value of the cut. A beam search chooses the cuts: it keeps the best sets of
-cuts, adds the best further cuts to each, or several sure ones at once, and takes the set with the largest sum of values. In
-the end, the borders between neighboring segments become minimum cuts on the faces.
+The evidence and the areas of both sides give the value of the cut. Each time the cut with the largest value is made, or several
+sure ones of a segment at once if their values have a larger sum than those of as many single ones. In the end, the borders
+between neighboring segments become minimum cuts on the faces.
 
 If no number of segments is given, segmentation stops at the largest drop in the gain of a further cut. Hills, scales and
 pockets, which face in one direction as a whole, hardly count. A cut is distinct if the surface widens

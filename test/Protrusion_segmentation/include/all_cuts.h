@@ -9,8 +9,8 @@
 
 #include "components.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Sizes_of_parts.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@
 
 namespace test_meshes {
 
-// All cuts of any segment, as they are searched, but without a beam.
+// All cuts of any segment, as they are searched, of every segment that there is.
 class All_cuts
 {
 public:
@@ -50,45 +50,17 @@ public:
     return largest;
   }
 
-  // Of the best cut of all, again and again.
-  double greedy_value(std::size_t number_of_cuts)
+  // The best cut of all, again and again: the sets of no cut, of one, and so on.
+  std::vector<Cut_set> greedy(std::size_t number_of_cuts)
   {
-    Cut_set set = m_whole;
-    for (std::size_t i = 0; i < number_of_cuts; ++i)
+    std::vector<Cut_set> result = {m_whole};
+    while (result.size() <= number_of_cuts)
     {
-      const std::vector<Cut_set> further = with_one_more_cut(set);
+      const std::vector<Cut_set> further = with_one_more_cut(result.back());
       if (further.empty())
-        return -infinity;
-      set = *std::max_element(further.begin(), further.end(),
-                              [](const Cut_set& a, const Cut_set& b) { return a.value < b.value; });
-    }
-    return set.value;
-  }
-
-  // The best one of some sets of cuts that get the best of their four best cuts each, again and again.
-  std::vector<Cut_set> best_of_beam(std::size_t number_of_cuts, std::size_t number_of_sets)
-  {
-    std::vector<Cut_set> beam = {m_whole}, result = {m_whole};
-    const auto is_better = [](const Cut_set& a, const Cut_set& b) { return a.value > b.value; };
-    while (!beam.empty() && result.size() <= number_of_cuts)
-    {
-      std::vector<Cut_set> next;
-      for (const Cut_set& set : beam)
-      {
-        std::vector<Cut_set> further = with_one_more_cut(set);
-        std::stable_sort(further.begin(), further.end(), is_better);
-        further.resize((std::min)(further.size(), std::size_t(4)));
-        next.insert(next.end(), further.begin(), further.end());
-      }
-      std::stable_sort(next.begin(), next.end(), is_better);
-      beam.clear();
-      for (const Cut_set& set : next)
-        if (beam.size() < number_of_sets &&
-            std::none_of(beam.begin(), beam.end(),
-                         [&](const Cut_set& other) { return other.segments == set.segments; }))
-          beam.push_back(set);
-      if (!beam.empty())
-        result.push_back(beam.front());
+        break;
+      result.push_back(*std::max_element(further.begin(), further.end(),
+                                         [](const Cut_set& a, const Cut_set& b) { return a.value < b.value; }));
     }
     return result;
   }
@@ -123,7 +95,7 @@ private:
   {
     if (!m_memo[s].is_searched)
     {
-      std::vector<internal::Cut> cuts = m_search({&m_memo[s].segment}).front();
+      std::vector<internal::Cut> cuts = m_search(m_memo[s].segment);
       internal::Sizes_of_parts(m_partition, default_options().weights, m_memo[s].segment)(cuts);
       m_memo.set_cuts(s, std::move(cuts));
     }

@@ -8,9 +8,9 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/Protrusion.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Beam_search.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_search.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/cuts_of_tips.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Greedy_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/cuts_of_tips.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
@@ -46,7 +46,7 @@ public:
       m_divided(Face_divider(surface)()),
       m_graphs(searched_surface(), options, execution),
       m_search(searched_surface(), m_graphs, distance, options, execution),
-      m_beam(m_graphs.coarse, m_search, options)
+      m_greedy(m_graphs.coarse, m_search, options)
   {
     if (!m_divided)
       return;
@@ -61,26 +61,26 @@ public:
   const Seam_graph& graph_of_faces() const { return m_divided ? m_undivided : m_graphs.fine; }
   // the node of the coarse graph that a face, or its first piece, lies in
   Index node_at(Index face) const { return m_graphs.node_of_face[searched_face(face)]; }
-  const Segment_memo& memo() const { return m_beam.memo(); }
+  const Segment_memo& memo() const { return m_greedy.memo(); }
   const Segment_search& search() const { return m_search; }
   std::size_t number_of_runs() const { return m_search.number_of_runs(); }
 
   // The best cuts into a number of segments; none if there are not as many.
   const Cut_set* best(std::size_t number_of_segments)
   {
-    return number_of_segments <= m_surface.number_of_faces() ? m_beam.best(number_of_segments) : nullptr;
+    return number_of_segments <= m_surface.number_of_faces() ? m_greedy.best(number_of_segments) : nullptr;
   }
 
   // The best cuts into a given number of segments, which there are. Many small parts, such as spines, hide the large ones from
   // the search until they are cut off: the most valuable cuts of the automatic segmentation may be worth more.
   Cut_set cuts_into(std::size_t number_of_segments)
   {
-    if (number_of_segments > 1 && m_beam.knew_more_sure_cuts_than(number_of_segments))
+    if (number_of_segments > 1 && m_greedy.knew_more_sure_cuts_than(number_of_segments))
       if (const std::size_t automatic = automatic_number(); automatic > number_of_segments)
-        if (Cut_set found = most_valuable_cuts(*m_beam.best(automatic), number_of_segments - 1);
-            found.segments.size() == number_of_segments && found.value > m_beam.best(number_of_segments)->value)
+        if (Cut_set found = most_valuable_cuts(*m_greedy.best(automatic), number_of_segments - 1);
+            found.segments.size() == number_of_segments && found.value > m_greedy.best(number_of_segments)->value)
           return found;
-    return *m_beam.best(number_of_segments);
+    return *m_greedy.best(number_of_segments);
   }
 
   // The best sets into fewer segments.
@@ -88,7 +88,7 @@ public:
   {
     std::vector<const Cut_set*> result;
     for (std::size_t number = set.segments.size(); number-- > 2;) // first the largest one, which moves the others in memory
-      if (const Cut_set* coarser = m_beam.best(number))
+      if (const Cut_set* coarser = m_greedy.best(number))
         result.push_back(coarser);
     return result;
   }
@@ -107,13 +107,13 @@ public:
   std::optional<double> gain_of_next(std::size_t number_of_segments)
   {
     return best(number_of_segments + 1)
-             ? std::optional<double>(m_beam.gain_of_last(number_of_segments + 1))
+             ? std::optional<double>(m_greedy.gain_of_last(number_of_segments + 1))
              : std::nullopt;
   }
 
   std::size_t automatic_number()
   {
-    const std::size_t number = m_beam.automatic_number([this](std::size_t n) { return Next_segment(m_execution, n, std::nullopt); });
+    const std::size_t number = m_greedy.automatic_number([this](std::size_t n) { return Next_segment(m_execution, n, std::nullopt); });
     return (std::min)(number, static_cast<std::size_t>(m_surface.number_of_faces()));
   }
 
@@ -125,7 +125,7 @@ public:
     tips.resize((std::min)(tips.size(), static_cast<std::size_t>(m_surface.number_of_faces() - 1))); // the body has a face, too
     for (Index& tip : tips)
       tip = searched_face(tip);
-    return Tip_cuts(m_graphs, m_search, m_beam.memo(), m_execution)(*m_beam.best(1), kept, tips);
+    return Tip_cuts(m_graphs, m_search, m_greedy.memo(), m_execution)(*m_greedy.best(1), kept, tips);
   }
 
 private:
@@ -151,20 +151,20 @@ private:
           return found;
         }
       }
-    return tips.empty() ? *m_beam.best(1) : cuts_of_automatic_segments(tips);
+    return tips.empty() ? *m_greedy.best(1) : cuts_of_automatic_segments(tips);
   }
 
   // The automatic segmentation, where the segments without tips belong to what they stick out of.
   Cut_set cuts_of_automatic_segments(std::vector<Index>& tips)
   {
-    const Component_segments segments = this->segments(*m_beam.best(automatic_number()));
+    const Component_segments segments = this->segments(*m_greedy.best(automatic_number()));
     const std::vector<Protrusion<Index>> protrusions = describe(segments);
     const auto segment_of = [&](Index tip) // the end of a protrusion may lie in another one that sticks out of it
     {
       const auto found = std::find_if(protrusions.begin(), protrusions.end(), [&](const auto& p) { return p.tip == tip; });
       return found == protrusions.end() ? segments.labels()[tip] : static_cast<Index>(found->segment);
     };
-    Cut_set result = *m_beam.best(1);
+    Cut_set result = *m_greedy.best(1);
     std::vector<Index> with_cut, others;
     std::vector<bool> has_tip(segments.number_of_segments(), false);
     has_tip[0] = true; // the body has no cut
@@ -190,7 +190,7 @@ private:
     std::iota(parts.begin(), parts.end(), Index(1));
     std::stable_sort(parts.begin(), parts.end(),
                      [&](Index a, Index b) { return segments.cut(a)->value > segments.cut(b)->value; });
-    Cut_set result = *m_beam.best(1);
+    Cut_set result = *m_greedy.best(1);
     for (std::size_t i = 0; i < number_of_cuts; ++i)
       cut_off(result, segments, parts[i]);
     return result;
@@ -216,7 +216,7 @@ private:
       return false;
     Graph_partition partition(m_graphs.coarse);
     partition.select(from);
-    set = set.with(m_beam.memo().made_cut(id, partition.connect_sides(from.nodes, inner), *segments.cut(segment)));
+    set = set.with(m_greedy.memo().made_cut(id, partition.connect_sides(from.nodes, inner), *segments.cut(segment)));
     return true;
   }
 
@@ -235,7 +235,7 @@ private:
   Seam_graph m_undivided;                   // and the faces themselves then, without seams
   Graphs_of_surface m_graphs;               // of the pieces then
   Segment_search m_search;
-  Beam_search m_beam;
+  Greedy_search m_greedy;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -28,10 +28,7 @@ struct Cut_options
   std::size_t regions = 8;          // and connected regions
   // The cheapest level sets, which may cross each other. Halves of a ring do, and would leave no place for its teeth.
   std::size_t crossing_level_sets = 10;
-  std::size_t number_of_sets = 2;   // width of the beam; wider ones exploit errors of the value
-  std::size_t cuts_of_set = 4;      // further cuts of a set of cuts that are looked at
   double sure_log_odds = 3;         // least log odds of cuts that are made together: 20 to 1; infinity: none are
-  std::size_t searched_at_once = 2; // segments, side by side; more are searched in vain
   // the value of a cut relative to the area of its segment that is expected at most: 1/2 is possible, this is rare
   double largest_relative_value = 0.25;
   bool moves_borders_on_faces = true; // borders become minimum cuts once more on the faces

@@ -68,8 +68,7 @@ inline void sort_best_first(std::vector<Cut>& cuts)
   std::stable_sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.value > b.value; });
 }
 
-// Adds a cut, if there is one. Minimum cuts near different candidates may be the same: then they would keep the beam from what is
-// different.
+// Adds a cut, if there is one. Minimum cuts near different candidates may be the same.
 inline void add_different(std::vector<Cut>& cuts, std::optional<Cut> cut)
 {
   if (cut && std::none_of(cuts.begin(), cuts.end(), [&](const Cut& other) { return other.inner == cut->inner; }))

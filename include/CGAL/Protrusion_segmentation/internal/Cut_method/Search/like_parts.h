@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_LIKE_PARTS_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_LIKE_PARTS_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_LIKE_PARTS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_LIKE_PARTS_H
 
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_weights.h>
@@ -47,4 +47,4 @@ inline void find_like_parts(const Cut_options& options, std::vector<Cut>& cuts)
 
 } // namespace CGAL::Protrusion_segmentation::internal
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_LIKE_PARTS_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_LIKE_PARTS_H

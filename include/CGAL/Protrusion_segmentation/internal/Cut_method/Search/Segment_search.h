@@ -2,8 +2,8 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_SEGMENT_SEARCH_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_SEGMENT_SEARCH_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_SEGMENT_SEARCH_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_SEGMENT_SEARCH_H
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
@@ -58,9 +58,8 @@ private:
   const Cut_options& m_options;
 };
 
-// Searches segments for their best cuts, step by step: orders of their nodes by the distance from tips, level sets of
-// these and regions, candidates, and minimum cuts near these. Each step is one loop over the
-// work of all segments, so that several threads share it.
+// Searches a segment for its best cuts, step by step: orders of its nodes by the distance from tips, level sets of
+// these and regions, candidates, and minimum cuts near these. Several threads share the work of a step.
 class Segment_search
 {
 public:
@@ -88,22 +87,10 @@ public:
     m_workspaces.for_each(visit);
   }
 
-  // For each segment its cuts, best first.
-  std::vector<std::vector<Cut>> operator()(const std::vector<const Segment*>& segments)
+  // The cuts of a segment, best first.
+  std::vector<Cut> operator()(const Segment& segment)
   {
-    std::vector<Work> all;
-    for (const Segment* segment : segments)
-      all.emplace_back(*segment);
-    find_orders(all);
-    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
-    find_level_sets(all);
-    for_each(all.size(), 1, [&](Search_workspace& workspace, std::size_t s, std::size_t)
-             { choose_candidates(workspace, all[s], [](const Nodes&) { return true; }); });
-    make_cuts(all);
-    std::vector<std::vector<Cut>> result;
-    for (Work& work : all)
-      result.push_back(best_different(std::move(work.cuts)));
-    return result;
+    return best_cuts(segment, find_orders(segment), [](const Nodes&) { return true; });
   }
 
   // The best cut around a level set or region for which `accept(nodes)` holds, level sets around `tip` among them; it has
@@ -111,15 +98,10 @@ public:
   template <typename Accept>
   std::optional<Cut> cut_of_tip(const Segment& segment, Index tip, Accept accept)
   {
-    std::vector<Work> all(1, Work(segment));
-    find_orders(all);
-    add_order(all.front(), from_tip(segment, tip).nodes);
-    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
-    find_level_sets(all);
-    choose_candidates(m_workspaces.own(), all.front(), accept);
-    make_cuts(all);
+    Orders orders = find_orders(segment);
+    add_order(orders, from_tip(segment, tip).nodes);
     std::optional<Cut> best;
-    for (Cut& cut : best_different(std::move(all.front().cuts)))
+    for (Cut& cut : best_cuts(segment, std::move(orders), accept))
     {
       if (!std::binary_search(cut.inner.begin(), cut.inner.end(), tip))
         cut.inner = other_side(segment, cut.inner);
@@ -142,104 +124,81 @@ public:
   }
 
 private:
-  // What is known of a segment while it is searched.
-  struct Work
-  {
-    const Segment* segment;
-    std::vector<Ordered_level_sets> orders = {};
-    Merged_regions regions = {};
-    std::vector<Candidate> candidates = {};
-    std::vector<std::optional<Cut>> cuts = {}; // of the candidates
+  using Orders = std::vector<Ordered_level_sets>;
 
-    explicit Work(const Segment& s) : segment(&s) {}
-  };
-
-  // Calls `body(workspace, s, i)` for all i below `number` of every segment s.
+  // Calls `body(workspace, i)` for all i below `number`.
   template <typename Body>
-  void for_each(std::size_t segments, std::size_t number, Body body)
+  void for_each(std::size_t number, Body body)
   {
-    m_workspaces.for_each_index(segments * number, m_execution.is_parallel(),
-                                [&](Search_workspace& workspace, std::size_t n)
+    m_workspaces.for_each_index(number, m_execution.is_parallel(),
+                                [&](Search_workspace& workspace, std::size_t i)
                                 {
                                   m_execution.check();
-                                  body(workspace, n / number, n % number);
+                                  body(workspace, i);
                                 });
   }
 
-  static void add_order(Work& work, Nodes order)
+  static void add_order(Orders& orders, Nodes order)
   {
     Nodes reverse(order.rbegin(), order.rend());
-    work.orders.push_back({std::move(order), {}});
-    work.orders.push_back({std::move(reverse), {}});
+    orders.push_back({std::move(order), {}});
+    orders.push_back({std::move(reverse), {}});
   }
 
   // The orders of the nodes, from near and from far. A distance of the user's may use several threads itself.
-  void find_orders(std::vector<Work>& all)
+  Orders find_orders(const Segment& segment)
   {
     const Stage_scope stage(m_execution.observer(), Stage::TIPS);
-    std::vector<std::vector<Nodes>> orders(all.size());
-    if (m_distance)
-      for (std::size_t s = 0; s < all.size(); ++s)
-        orders[s] = distance_orders(m_surface, all[s].segment->nodes, m_graphs.node_of_face, *m_distance, m_execution);
-    else
-      for_each(all.size(), 1, [&](Search_workspace& workspace, std::size_t s, std::size_t)
-               { orders[s] = workspace.tip_orders(*all[s].segment, m_execution); });
-    for (std::size_t s = 0; s < all.size(); ++s)
-    {
-      m_number_of_runs += m_distance ? 0 : orders[s].size() + 1; // and one from the centre
-      for (Nodes& order : orders[s])
-        add_order(all[s], std::move(order));
-    }
+    std::vector<Nodes> from_near =
+      m_distance ? distance_orders(m_surface, segment.nodes, m_graphs.node_of_face, *m_distance, m_execution)
+                 : m_workspaces.own().tip_orders(segment, m_execution);
+    m_number_of_runs += m_distance ? 0 : from_near.size() + 1; // and one from the centre
+    Orders result;
+    for (Nodes& order : from_near)
+      add_order(result, std::move(order));
+    return result;
+  }
+
+  // The cuts around the best candidates that are accepted.
+  template <typename Accept>
+  std::vector<Cut> best_cuts(const Segment& segment, Orders orders, Accept accept)
+  {
+    const Stage_scope stage(m_execution.observer(), Stage::BORDERS);
+    const Merged_regions regions = find_level_sets(segment, orders);
+    Search_workspace& own = m_workspaces.own();
+    own.partition.select(segment);
+    return make_cuts(segment, own.choose(own.partition, segment, orders, regions, accept));
   }
 
   // The level sets of all orders, and, after the last order, the regions.
-  void find_level_sets(std::vector<Work>& all)
+  Merged_regions find_level_sets(const Segment& segment, Orders& orders)
   {
-    std::size_t most_orders = 0;
-    for (const Work& work : all)
-      most_orders = (std::max)(most_orders, work.orders.size());
-    for_each(all.size(), most_orders + 1,
-             [&](Search_workspace& workspace, std::size_t s, std::size_t i)
+    Merged_regions regions;
+    for_each(orders.size() + 1,
+             [&](Search_workspace& workspace, std::size_t i)
              {
-               Work& work = all[s];
-               if (i < most_orders && i >= work.orders.size())
-                 return;
-               workspace.partition.select(*work.segment);
-               if (i == most_orders)
-                 work.regions = workspace.merge_regions(workspace.partition, *work.segment);
+               workspace.partition.select(segment);
+               if (i == orders.size())
+                 regions = workspace.merge_regions(workspace.partition, segment);
                else
-                 work.orders[i].level_sets = workspace.sweep(workspace.partition, work.orders[i].order, work.segment->area);
+                 orders[i].level_sets = workspace.sweep(workspace.partition, orders[i].order, segment.area);
              });
+    return regions;
   }
 
-  template <typename Accept>
-  void choose_candidates(Search_workspace& workspace, Work& work, Accept accept) const
-  {
-    workspace.partition.select(*work.segment);
-    work.candidates = workspace.choose(workspace.partition, *work.segment, work.orders, work.regions, accept);
-    work.cuts.resize(work.candidates.size());
-  }
-
-  // The cuts around the candidates. Around a tip there is always something to be cut off if it is asked for; a region is a
+  // The different cuts around the candidates. Around a tip there is always something to be cut off if it is asked for; a region is a
   // guess, and there is no cut if it is a wrong one.
-  void make_cuts(std::vector<Work>& all)
+  std::vector<Cut> make_cuts(const Segment& segment, const std::vector<Candidate>& candidates)
   {
-    const std::size_t most = m_options.level_sets + m_options.regions;
-    for_each(all.size(), most,
-             [&](Search_workspace& workspace, std::size_t s, std::size_t i)
+    std::vector<std::optional<Cut>> cuts(candidates.size());
+    for_each(candidates.size(),
+             [&](Search_workspace& workspace, std::size_t i)
              {
-               m_execution.progress(static_cast<double>(s * most + i) / static_cast<double>(all.size() * most));
-               if (i >= all[s].candidates.size())
-                 return;
-               const Candidate& candidate = all[s].candidates[i];
-               std::optional<Cut> cut = workspace.cutter.cut_around(*all[s].segment, candidate.nodes);
-               if (cut && (cut->value >= 0 || !candidate.is_region))
-                 all[s].cuts[i] = std::move(cut);
+               m_execution.progress(static_cast<double>(i) / static_cast<double>(candidates.size()));
+               std::optional<Cut> cut = workspace.cutter.cut_around(segment, candidates[i].nodes);
+               if (cut && (cut->value >= 0 || !candidates[i].is_region))
+                 cuts[i] = std::move(cut);
              });
-  }
-
-  static std::vector<Cut> best_different(std::vector<std::optional<Cut>> cuts)
-  {
     std::vector<Cut> result;
     for (std::optional<Cut>& cut : cuts)
       add_different(result, std::move(cut));
@@ -258,4 +217,4 @@ private:
 
 } // namespace CGAL::Protrusion_segmentation::internal
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_SEGMENT_SEARCH_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_SEGMENT_SEARCH_H

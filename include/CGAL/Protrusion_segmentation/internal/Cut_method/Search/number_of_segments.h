@@ -2,10 +2,10 @@
 //
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_NUMBER_OF_SEGMENTS_H
-#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_NUMBER_OF_SEGMENTS_H
+#ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_NUMBER_OF_SEGMENTS_H
+#define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_NUMBER_OF_SEGMENTS_H
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Beam/Segment_memo.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 
 #include <algorithm>
@@ -62,4 +62,4 @@ std::size_t automatic_number_of_segments(Gain gain, BestSet best_set, const Cut_
 
 } // namespace CGAL::Protrusion_segmentation::internal
 
-#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_BEAM_NUMBER_OF_SEGMENTS_H
+#endif // CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_NUMBER_OF_SEGMENTS_H
