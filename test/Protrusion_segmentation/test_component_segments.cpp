@@ -50,12 +50,18 @@ void check_tree(const Component_segments& segments, const internal::Seam_graph& 
     CGAL_CHECK_CLOSE(segments.areas_beyond()[s], beyond[s], 1e-9);
 }
 
-// The body has no cut; the others have all cuts, each once, in their order.
+// The body has no cut; the others have all cuts, each once, the most valuable one first.
 void check_cuts(const Component_segments& segments, const Cut_set& set)
 {
   CGAL_CHECK(segments.cut(0) == nullptr);
+  std::set<const Cut_set::Made_cut*> cuts;
   for (std::size_t s = 1; s < segments.number_of_segments(); ++s)
-    CGAL_CHECK(segments.cut(s) == &set.cuts[s - 1]);
+  {
+    CGAL_CHECK(segments.cut(s) >= &set.cuts.front() && segments.cut(s) <= &set.cuts.back());
+    CGAL_CHECK(s == 1 || segments.cut(s - 1)->value >= segments.cut(s)->value);
+    cuts.insert(segments.cut(s));
+  }
+  CGAL_CHECK_EQUAL(cuts.size(), set.cuts.size());
 }
 
 void check_segments_of_sets(const Test_mesh& mesh, std::size_t largest_number, bool moves_borders)

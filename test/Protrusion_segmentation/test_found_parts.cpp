@@ -62,7 +62,7 @@ void what_is_no_part_is_not_kept()
   const Cut_weights weights;
   Found_parts parts(weights);
   Cut anywhere = cut_of({1}, 0, tooth);
-  anywhere.clues.larger_widening = 0;
+  anywhere.clues.widening = 0;
   parts.add({anywhere, cut_of({2}, -1.1, tooth)});
   CGAL_CHECK(parts.like_those_of(set_that_cuts_off(tooth), {{1, 2, 3}, 1}, {}).empty());
 }

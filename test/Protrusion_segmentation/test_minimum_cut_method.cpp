@@ -254,6 +254,26 @@ void the_hierarchy_holds_nested_segmentations()
                     std::invalid_argument, "pmesh");
 }
 
+// The last component has no fewer protrusions than an equal one before it.
+void components_share_the_segments_of_a_hierarchy()
+{
+  const Test_mesh one = star(3);
+  const Mesh mesh = to_graph<Mesh>(merged({one, one}));
+  const PS::Segment_hierarchy hierarchy = CGAL::protrusion_hierarchy(mesh, 8);
+  for (std::size_t k = 2; k <= 8; k += 2)
+  {
+    const Labels found = checked(mesh,
+                                 [&](auto map)
+                                 {
+                                   hierarchy.segment_ids(mesh, k, map);
+                                   return k;
+                                 }).labels;
+    const auto middle = found.begin() + static_cast<std::ptrdiff_t>(one.faces.size());
+    CGAL_CHECK_EQUAL(std::set<std::size_t>(found.begin(), middle).size(), k / 2);
+    CGAL_CHECK_EQUAL(std::set<std::size_t>(middle, found.end()).size(), k / 2);
+  }
+}
+
 void tips_of_a_user_are_cut_off()
 {
   const Test_mesh soup = star(5);
@@ -334,6 +354,7 @@ int main()
   spines_do_not_keep_legs_from_being_found();
   tips_of_a_result_give_it_again();
   the_hierarchy_holds_nested_segmentations();
+  components_share_the_segments_of_a_hierarchy();
   tips_of_a_user_are_cut_off();
   other_distances_serve_the_search();
   scale_position_and_orientation_do_not_matter();

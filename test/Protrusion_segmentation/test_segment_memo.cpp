@@ -147,7 +147,7 @@ void a_part_is_as_sure_as_one_like_it()
   CGAL_CHECK_CLOSE(evidence(3, 0.5, size), 1, 1e-12); // it is surer itself
   CGAL_CHECK_CLOSE(evidence(0.5, 3, {-3.15, -1, 0.5}), 3.5 * std::exp(-0.5), 1e-12);
   internal::Cut anywhere = cut_of({1}, 0.5, size);
-  anywhere.clues.larger_widening = 0;
+  anywhere.clues.widening = 0;
   CGAL_CHECK_CLOSE(internal::evidence_of_part(weights, anywhere, size, 3), 1, 1e-12);
   internal::Cut repeated = cut_of({1}, 0.5, size);
   repeated.size.is_repeated = true;

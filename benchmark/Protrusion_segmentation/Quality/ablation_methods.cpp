@@ -85,16 +85,13 @@ std::vector<Segmentation_method> ablation_methods()
           without_clues("concave-share", {{&Cut_weights::concave_share, 0.58}}),
           without_clues("relative-length", {{&Cut_weights::relative_length, 0.69}}),
           without_clues("segment-size", {{&Cut_weights::segment_size, -1.50}}),
-          without_clues("widening",
-                        {{&Cut_weights::larger_widening, 0.13}, {&Cut_weights::smaller_widening, -0.25}}),
+          without_clues("widening", {{&Cut_weights::widening, 0.13}}),
           without_clues("shoulder",
                         {{&Cut_weights::larger_shoulder, 0.18}, {&Cut_weights::smaller_shoulder, -0.26}}),
           without_clues("roundness", {{&Cut_weights::roundness, -0.25}}),
           without_clues("neighbors", {{&Cut_weights::neighbors, 0.32}, {&Cut_weights::surrounded, 0}}),
           without_clues("mean-cost", {{&Cut_weights::mean_cost, -0.93}}),
-          without_clues("thickness", {{&Cut_weights::thickness, -0.68}}),
           without_clues("pocket", {{&Cut_weights::pocket, 0}}),
-          without_clues("several-loops", {{&Cut_weights::several_loops, 0.09}}),
           without_clues("flatness", {{&Cut_weights::flatness, 0}}),
           without_clues("like-part", {{&Cut_weights::like_part, 0}})};
 }

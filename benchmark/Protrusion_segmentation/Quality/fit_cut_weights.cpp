@@ -42,14 +42,13 @@ struct Named_weight
   double first_step;
 };
 
-constexpr std::array<Named_weight, 22> named_weights = {
+constexpr std::array<Named_weight, 19> named_weights = {
   {{"bias", &Cut_weights::bias, 0.5},
    {"concave_share", &Cut_weights::concave_share, 1},
    {"relative_length", &Cut_weights::relative_length, 0.5},
    {"least_relative_length", &Cut_weights::least_relative_length, 0.1},
    {"segment_size", &Cut_weights::segment_size, 0.2},
-   {"larger_widening", &Cut_weights::larger_widening, 0.4},
-   {"smaller_widening", &Cut_weights::smaller_widening, 0.3},
+   {"widening", &Cut_weights::widening, 0.4},
    {"larger_shoulder", &Cut_weights::larger_shoulder, 1},
    {"least_larger_shoulder", &Cut_weights::least_larger_shoulder, 0.05},
    {"largest_larger_shoulder", &Cut_weights::largest_larger_shoulder, 0.1},
@@ -57,11 +56,9 @@ constexpr std::array<Named_weight, 22> named_weights = {
    {"roundness", &Cut_weights::roundness, 0.3},
    {"neighbors", &Cut_weights::neighbors, 0.3},
    {"mean_cost", &Cut_weights::mean_cost, 0.3},
-   {"thickness", &Cut_weights::thickness, 0.3},
    {"surrounded", &Cut_weights::surrounded, 2},
    {"most_neighbors", &Cut_weights::most_neighbors, 0.2},
    {"pocket", &Cut_weights::pocket, 2},
-   {"several_loops", &Cut_weights::several_loops, 0.5},
    {"flatness", &Cut_weights::flatness, 2},
    {"least_flatness", &Cut_weights::least_flatness, 0.1},
    {"like_part", &Cut_weights::like_part, 0.5}}};

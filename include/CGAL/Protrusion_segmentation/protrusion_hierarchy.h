@@ -26,9 +26,8 @@ computes the hierarchy of nested protrusions by `Protrusion_segmentation::Minimu
 segmentations with every number of segments.
 
 The segmentation with the largest number of segments is that of `segmentation_via_protrusion_tips()`. Those with fewer
-segments join protrusions to their parents, so that all are nested. Of several components, the protrusions of the last one are
-joined first. Those of one component are joined in an order such that segmentations stay near those of
-`segmentation_via_protrusion_tips()` with as many segments. That may find a better segmentation for a smaller number.
+segments join protrusions to their parents, so that all are nested: those whose borders have the least value are joined first.
+`segmentation_via_protrusion_tips()` may find a better segmentation for a smaller number.
 
 \tparam ConcurrencyTag, FaceGraph, Number, NamedParameters as for `segmentation_via_protrusion_tips()`
 

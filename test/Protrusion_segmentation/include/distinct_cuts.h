@@ -23,7 +23,7 @@ cut_of(CGAL::Protrusion_segmentation::internal::Nodes inner,
   cut.inner = std::move(inner);
   cut.log_odds = log_odds;
   cut.size = size;
-  cut.clues.larger_widening = 1;
+  cut.clues.widening = 1;
   return cut;
 }
 

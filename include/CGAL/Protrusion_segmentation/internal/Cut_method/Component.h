@@ -83,20 +83,10 @@ public:
     return *m_greedy.best(number_of_segments);
   }
 
-  // The best sets into fewer segments.
-  std::vector<const Cut_set*> coarser_than(const Cut_set& set)
+  // The segments of a set on the faces.
+  Component_segments segments(const Cut_set& set) const
   {
-    std::vector<const Cut_set*> result;
-    for (std::size_t number = set.segments.size(); number-- > 2;) // first the largest one, which moves the others in memory
-      if (const Cut_set* coarser = m_greedy.best(number))
-        result.push_back(coarser);
-    return result;
-  }
-
-  // The segments of a set on the faces. `coarser`: sets of fewer segments, which its order is to be near to
-  Component_segments segments(const Cut_set& set, const std::vector<const Cut_set*>& coarser = {}) const
-  {
-    return Component_segments(faces_of_surface(), m_graphs, memo(), set, m_options, m_execution, coarser);
+    return Component_segments(faces_of_surface(), m_graphs, memo(), set, m_options, m_execution);
   }
   std::vector<Protrusion<Index>> describe(const Component_segments& segments) const
   {

@@ -56,8 +56,6 @@ public:
   {
     if (m_components.number_of_components() > 1)
       m_select.emplace(surface);
-    for (Index c = 0; c < m_components.number_of_components(); ++c)
-      m_parents.push_back(c);
   }
 
   // As many as there are if there are fewer.
@@ -78,12 +76,13 @@ public:
     for (const Loaded& one : loaded)
       components.push_back(one.component.get());
     const std::vector<std::size_t> numbers = share_out_segments(components, k, m_execution);
+    std::vector<Found> found;
     for (std::size_t c = 0; c < n; ++c)
     {
-      append(c, find_segments(c, loaded[c], loaded[c].component->cuts_into(numbers[c]), m_execution));
+      found.push_back(find_segments(c, loaded[c], loaded[c].component->cuts_into(numbers[c]), m_execution));
       loaded[c] = Loaded(); // its memory is needed no more
     }
-    return result();
+    return together(std::move(found));
   }
 
   Nested_segments with_automatic_number()
@@ -133,8 +132,9 @@ private:
   // What is kept of a component. Its segments have numbers of their own, faces are those of the whole surface.
   struct Found
   {
-    std::vector<Index> parents;
-    std::vector<Protrusion<Index>> protrusions;
+    std::vector<Index> parents = {0};
+    std::vector<double> values = {}; // of the cuts of the protrusions: that of segment s + 1 is s
+    std::vector<Protrusion<Index>> protrusions = {};
     std::size_t number_of_runs = 0;
   };
 
@@ -166,9 +166,7 @@ private:
     const Execution::Subtask subtask(m_execution, share(done, n), 1);
     for_each_side_by_side(side_by_side.size(), m_execution, [&](std::size_t i, Execution& execution)
                           { found[side_by_side[i]] = find_segments(side_by_side[i], is_whole, cuts, execution); });
-    for (std::size_t c = 0; c < n; ++c)
-      append(c, std::move(found[c]));
-    return result();
+    return together(std::move(found));
   }
 
   // Whether other components keep the other threads busy meanwhile. Distances of the user's are used by one thread at a time.
@@ -187,7 +185,7 @@ private:
       const Execution::Subtask preparation(execution, 0, 0.5);
       loaded.load_surface(*this, c, execution);
       if (is_whole(loaded, c))
-        return {{0}, {}, 0};
+        return {};
       loaded.load_component(*this, execution);
     }
     const Execution::Subtask search(execution, 0.5, 1);
@@ -198,31 +196,15 @@ private:
   Found find_segments(std::size_t c, const Loaded& loaded, const Cut_set& set, Execution& execution)
   {
     const Stage_scope stage(execution.observer(), Stage::LABELS);
-    const Component_segments segments = loaded.component->segments(set, loaded.component->coarser_than(set));
+    const Component_segments segments = loaded.component->segments(set);
     for (std::size_t f = 0; f < segments.labels().size(); ++f)
       m_labels[face_of_surface(c, loaded, f)] = segments.labels()[f];
-    Found found = {segments.parents(), {}, loaded.component->number_of_runs()};
+    Found found = {segments.parents(), {}, {}, loaded.component->number_of_runs()};
+    for (std::size_t s = 1; s < segments.number_of_segments(); ++s)
+      found.values.push_back(segments.cut(s)->value);
     if (m_looks_at_protrusions && segments.number_of_segments() > 1)
       found.protrusions = protrusions(c, loaded, segments);
     return found;
-  }
-
-  // Takes what was found in a component: its protrusions come behind those of the components before.
-  void append(std::size_t c, Found found)
-  {
-    const Index first = static_cast<Index>(m_parents.size()) - 1; // plus the number of a protrusion
-    const auto id = [first, c](std::size_t s) { return static_cast<Index>(s == 0 ? c : first + s); };
-    for (Index f : m_components.faces(c))
-      m_labels[f] = id(m_labels[f]);
-    for (std::size_t s = 1; s < found.parents.size(); ++s)
-      m_parents.push_back(id(found.parents[s]));
-    for (Protrusion<Index>& protrusion : found.protrusions)
-    {
-      protrusion.segment = id(protrusion.segment);
-      protrusion.parent = id(protrusion.parent);
-      m_protrusions.push_back(std::move(protrusion));
-    }
-    m_numbers_of_runs.push_back(found.number_of_runs);
   }
 
   // The face of the whole surface for a face of a component.
@@ -246,17 +228,52 @@ private:
     return result;
   }
 
-  // Puts the components together again: bodies first, then the protrusions of one component after the other.
-  Nested_segments result()
+  // Puts the components together again, whose segments still have their own numbers.
+  Nested_segments together(std::vector<Found> found)
   {
-    for (std::size_t runs : m_numbers_of_runs)
-      m_execution.observer().distances_computed(runs);
-    for (const Protrusion<Index>& protrusion : m_protrusions)
+    const std::vector<std::vector<Index>> ids = ids_of_segments(found);
+    std::vector<Index> parents(ids.size());
+    std::vector<Protrusion<Index>> protrusions;
+    for (std::size_t c = 0; c < ids.size(); ++c)
+    {
+      m_execution.observer().distances_computed(found[c].number_of_runs);
+      for (Index f : m_components.faces(c))
+        m_labels[f] = ids[c][m_labels[f]];
+      parents.resize(parents.size() + ids[c].size() - 1);
+      for (Protrusion<Index>& protrusion : found[c].protrusions)
+      {
+        protrusion.segment = ids[c][protrusion.segment];
+        protrusion.parent = ids[c][protrusion.parent];
+        protrusions.push_back(std::move(protrusion));
+      }
+    }
+    for (std::size_t c = 0; c < ids.size(); ++c)
+      for (std::size_t s = 0; s < ids[c].size(); ++s)
+        parents[ids[c][s]] = ids[c][found[c].parents[s]];
+    std::sort(protrusions.begin(), protrusions.end(), [](const auto& a, const auto& b) { return a.segment < b.segment; });
+    for (const Protrusion<Index>& protrusion : protrusions)
     {
       m_execution.observer().tip_selected(protrusion.tip);
       m_execution.observer().protrusion_found(protrusion);
     }
-    return Nested_segments(std::move(m_labels), std::move(m_parents), m_components.number_of_components());
+    return Nested_segments(std::move(m_labels), std::move(parents), ids.size());
+  }
+
+  // Of every component: the bodies first, then the protrusions of all, the most valuable ones first, as in each.
+  static std::vector<std::vector<Index>> ids_of_segments(const std::vector<Found>& found)
+  {
+    std::vector<std::vector<Index>> ids(found.size());
+    std::vector<std::pair<double, std::size_t>> values;
+    for (std::size_t c = 0; c < found.size(); ++c)
+    {
+      ids[c].push_back(static_cast<Index>(c));
+      for (double value : found[c].values)
+        values.emplace_back(value, c);
+    }
+    std::stable_sort(values.begin(), values.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (std::size_t i = 0; i < values.size(); ++i)
+      ids[values[i].second].push_back(static_cast<Index>(found.size() + i));
+    return ids;
   }
 
   const Indexed_surface& m_surface;
@@ -267,10 +284,7 @@ private:
   Nested_segments m_components;
   std::optional<Face_selector<Indexed_surface>> m_select; // if there are several components;
   std::mutex m_selecting;                                 // it has work arrays
-  std::vector<Index> m_labels;  // of every face, as numbered in its component until that is appended
-  std::vector<Index> m_parents; // of every segment
-  std::vector<Protrusion<Index>> m_protrusions;
-  std::vector<std::size_t> m_numbers_of_runs; // of every component
+  std::vector<Index> m_labels; // of every face
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

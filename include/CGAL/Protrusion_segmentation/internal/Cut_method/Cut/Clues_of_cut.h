@@ -138,7 +138,7 @@ public:
     Cut_clues clues;
     clues.relative_length = std::log(length_around(m_length + of_earlier * m_openness * m_earlier_length) / std::sqrt(m_smaller_area));
     clues.segment_size = std::log(m_bisection.segment().area);
-    std::tie(clues.smaller_widening, clues.larger_widening) = std::minmax({inside.widening, outside.widening});
+    clues.widening = (std::max)(inside.widening, outside.widening);
     std::tie(clues.smaller_shoulder, clues.larger_shoulder) = std::minmax({inside.shoulder, outside.shoulder});
     clues.concave_share = weight_of_seam(clues.larger_shoulder) * m_concave_length / m_length;
     clues.roundness = std::log(4 * CGAL_PI * opening() / CGAL::square(length_around(m_length)) + 0.05);
@@ -147,7 +147,6 @@ public:
     const double thickness = 4 * volume() / (m_smaller_area * std::sqrt(opening() + 0.02 * m_smaller_area));
     clues.thickness = std::log((std::max)(0.001, std::abs(thickness)));
     clues.pocket = (std::max)(0., -thickness);
-    clues.several_loops = has_several_loops(along_inside, along_outside) ? 1 : 0;
     clues.flatness = (1 - share_of_outline()) * std::sqrt(m_area_vector.squared_length()) / m_smaller_area;
     return clues;
   }
@@ -228,13 +227,6 @@ private:
     const double volume = m_graph.outward * (m_flux - m_area_vector * m_centre) / 3;
     const double of_half_cylinder = m_openness * m_smaller_area * length_around(m_length) / (4 * CGAL_PI);
     return std::abs(volume) < of_half_cylinder ? of_half_cylinder : volume;
-  }
-
-  bool has_several_loops(const Nodes& along_inside, const Nodes& along_outside) const
-  {
-    Nodes along_cut = along_inside;
-    along_cut.insert(along_cut.end(), along_outside.begin(), along_outside.end());
-    return !m_bisection.partition().are_connected_nearby(along_cut);
   }
 
   const Volume_graph& m_graph;

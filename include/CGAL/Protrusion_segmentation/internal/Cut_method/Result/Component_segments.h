@@ -13,7 +13,6 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/divide_long_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Border_arcs.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Face_borders.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Joining_order.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/labels_of_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
 
@@ -22,6 +21,7 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -34,9 +34,8 @@ struct Faces_of_surface
   const Divided_surface* divided; // if there are long faces
 };
 
-// The segments of a connected surface that a set of cuts makes: the faces of each and their tree. The body is segment 0. If the last
-// segments are given to their parents, the rest is near the best set of as many segments, where `coarser` has it and it is worth
-// more than what is left without the least valuable border.
+// The segments of a connected surface that a set of cuts makes: the faces of each and their tree. The body is segment 0, the others
+// are in the order of the values of the cuts that separate them from what they stick out of, the most valuable one first.
 class Component_segments
 {
 public:
@@ -47,8 +46,7 @@ public:
                      const Segment_memo& memo,
                      const Cut_set& set,
                      const Cut_options& options,
-                     Execution& execution,
-                     const std::vector<const Cut_set*>& coarser = {})
+                     Execution& execution)
     : m_faces(faces.graph),
       m_graphs(graphs),
       m_memo(memo),
@@ -63,7 +61,7 @@ public:
       move_borders(execution);
     if (faces.divided)
       m_labels = Face_labeler(m_faces, faces.divided->face_of_piece, graphs.fine.area, m_labels)(number_of_segments());
-    arrange(coarser);
+    arrange();
   }
 
   std::size_t number_of_segments() const { return m_set.segments.size(); }
@@ -122,7 +120,7 @@ private:
   }
 
   // Gives the leaves their final numbers.
-  void arrange(const std::vector<const Cut_set*>& coarser)
+  void arrange()
   {
     std::vector<double> areas(number_of_segments(), 0);
     for (Index f = 0; f < m_labels.size(); ++f)
@@ -130,10 +128,9 @@ private:
     const Segment_tree::Lengths lengths = Border_arcs(m_faces, m_labels, m_is_parallel).lengths();
     const Segment_tree tree(areas, lengths);
     const Cuts cuts = cuts_of_borders(tree, lengths);
-    std::vector<Index> order(areas.size()); // by the cut, that of the body first
+    std::vector<Index> order(areas.size());
     std::iota(order.begin(), order.end(), Index(0));
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return cuts[a] < cuts[b]; });
-    order = order_with(tree, values_of(cuts), std::move(order), coarser);
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return rank(cuts[a]) < rank(cuts[b]); });
     std::vector<Index> number(areas.size());
     for (Index s = 0; s < order.size(); ++s)
       number[order[s]] = s;
@@ -149,46 +146,10 @@ private:
       label = number[label];
   }
 
-  // The order of the leaves, the body first, from that of their cuts.
-  std::vector<Index> order_with(const Segment_tree& tree,
-                                std::vector<double> values,
-                                std::vector<Index> order,
-                                const std::vector<const Cut_set*>& coarser) const
+  // No cut is before the most valuable one, which is before others; equal ones are in the order in which they were made.
+  std::tuple<bool, double, std::size_t> rank(const std::optional<std::size_t>& cut) const
   {
-    constexpr std::size_t most =
-      100; // segments for which others are looked at: it takes the cube of the number
-    Joining_order joining(tree, std::move(values), std::move(order));
-    while (joining.number_left() > 2)
-    {
-      const auto set = std::find_if(coarser.begin(), coarser.end(),
-                                    [&](const Cut_set* s)
-                                    { return s->segments.size() + 1 == joining.number_left(); });
-      if (set == coarser.end() || joining.number_left() > most)
-        joining.join_last();
-      else if (joining.value_without_least_valuable() > (*set)->value)
-        joining.join_least_valuable();
-      else
-        joining.join_for(overlaps_with(**set));
-    }
-    return joining();
-  }
-
-  std::vector<double> values_of(const Cuts& cuts) const
-  {
-    std::vector<double> result(cuts.size(), 0);
-    for (std::size_t leaf = 0; leaf < cuts.size(); ++leaf)
-      if (cuts[leaf])
-        result[leaf] = m_set.cuts[*cuts[leaf]].value;
-    return result;
-  }
-
-  Joining_order::Overlaps overlaps_with(const Cut_set& set) const
-  {
-    Joining_order::Overlaps result(number_of_segments(), std::vector<double>(set.segments.size(), 0));
-    for (std::size_t j = 0; j < set.segments.size(); ++j)
-      for (Index node : m_memo[set.segments[j]].segment.nodes)
-        result[m_leaf_of_node[node]][j] += m_graphs.coarse.area[node];
-    return result;
+    return cut ? std::make_tuple(true, -m_set.cuts[*cut].value, *cut) : std::make_tuple(false, 0., std::size_t(0));
   }
 
   // Of every leaf the cut of its border to its parent: the one that separated the two. A cut that separated several gets the
@@ -245,7 +206,7 @@ private:
   std::vector<Index> m_segments_of_memo;        // of every segment
   std::vector<Index> m_parents;                 // of every segment
   std::vector<double> m_areas_beyond;           // of every segment
-  Cuts m_cuts;
+  Cuts m_cuts;                                  // of every segment
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal
