@@ -102,7 +102,7 @@ void test_other_weights()
   Cut_weights weights;
   weights.concave_share = -6;
   weights.relative_length = 6;
-  weights.larger_widening = -2;
+  weights.widening = -2;
   Candidate_pool pool(model);
   CGAL_CHECK(pool.errors(weights).with_number > pool.errors(Cut_weights()).with_number);
   check_errors(pool, model, weights);

@@ -48,6 +48,7 @@ void a_straight_bar(int length, int width, int height)
   CGAL_CHECK_CLOSE(clues.roundness, roundness(opening, girth), precision);
   CGAL_CHECK_EQUAL(clues.neighbors, 0);
   CGAL_CHECK_CLOSE(clues.thickness, thickness(opening * length / 2, half_area, opening), precision);
+  CGAL_CHECK_EQUAL(clues.several_loops, 0);
   CGAL_CHECK_CLOSE(clues.flatness, opening / half_area, precision); // the end of the bar alone has no opposite
   // nothing changes along the bar: the strip is measured from the centres of the first squares on
   const double strip = 0.4 * std::sqrt(half_area);
@@ -94,6 +95,7 @@ void a_ring_is_cut_in_two_places()
   const Test_mesh ring = torus(2, 0.5, 48, 16);
   const double girth = 16 * std::sin(pi / 16), disk = 2 * std::sin(2 * pi / 16);
   const Cut_clues clues = Cut_mesh(ring).clues(below(1, 0));
+  CGAL_CHECK_EQUAL(clues.several_loops, 1);
   CGAL_CHECK_CLOSE(clues.relative_length, std::log(2 * girth / std::sqrt(area(ring) / 2)), precision);
   CGAL_CHECK_CLOSE(clues.roundness, roundness(2 * disk, 2 * girth), precision);
   CGAL_CHECK_CLOSE(clues.thickness, thickness(volume(ring) / 2, area(ring) / 2, 2 * disk), precision);
@@ -107,13 +109,24 @@ void a_cut_ring_is_a_tube()
   Cut_mesh tube(ring);
   tube.cut_off([](const Point& p) { return p[0] > 0 && p[1] > 0; });
   const Cut_clues clues = tube.clues([](const Point& p) { return p[0] < 0 && p[1] > 0; });
+  CGAL_CHECK_EQUAL(clues.several_loops, 0);
   CGAL_CHECK_CLOSE(clues.neighbors, std::log(2.), precision);
   CGAL_CHECK_CLOSE(clues.segment_size, std::log(0.75), precision);
   CGAL_CHECK_CLOSE(clues.relative_length, std::log(16 * std::sin(pi / 16) / std::sqrt(area(ring) / 4)),
               precision);
   // its middle is not cut out, as the rest is not connected: it stays with one of the ends
   const Cut_clues end = tube.clues([](const Point& p) { return p[0] < 0 && p[1] < 0; });
+  CGAL_CHECK_EQUAL(end.several_loops, 0);
   CGAL_CHECK_CLOSE(end.neighbors, std::log(2.), precision);
+}
+
+// Triangles along a cut do not all share edges with each other.
+void triangles_along_one_loop_are_one_loop()
+{
+  const Test_mesh cylinder = triangulated(closed_cylinder(1, 8, 0.2)), ring = triangulated(torus(2, 0.5, 48, 16));
+  CGAL_CHECK_EQUAL(Cut_mesh(cylinder).clues(below(2, 4)).several_loops, 0);
+  CGAL_CHECK_EQUAL(Cut_mesh(triangulated(sheet(20, 8))).clues(below(0, 10)).several_loops, 0);
+  CGAL_CHECK_EQUAL(Cut_mesh(ring).clues(below(1, 0)).several_loops, 1);
 }
 
 // Where a ball begins there is a seam, behind which the surface widens; on the bar there is neither.
@@ -248,8 +261,8 @@ void a_flat_sheet()
 
 std::vector<double> values(const Cut_clues& c)
 {
-  return {c.concave_share, c.relative_length, c.segment_size,    c.widening,         c.roundness, c.neighbors,
-          c.mean_cost,     c.thickness,       c.larger_shoulder, c.smaller_shoulder, c.flatness,  c.pocket};
+  return {c.concave_share, c.relative_length, c.segment_size,    c.widening,         c.roundness, c.neighbors, c.mean_cost,
+          c.thickness,     c.several_loops,   c.larger_shoulder, c.smaller_shoulder, c.flatness,  c.pocket};
 }
 
 std::vector<double> values_of_first_arm(const Test_mesh& mesh)
@@ -281,6 +294,7 @@ int main()
   round_openings_are_rounder_than_flat_ones();
   a_ring_is_cut_in_two_places();
   a_cut_ring_is_a_tube();
+  triangles_along_one_loop_are_one_loop();
   a_dumbbell();
   a_rod_on_a_plate();
   a_bump_is_no_shoulder();

@@ -92,6 +92,7 @@ std::vector<Segmentation_method> ablation_methods()
           without_clues("neighbors", {{&Cut_weights::neighbors, 0.32}, {&Cut_weights::surrounded, 0}}),
           without_clues("mean-cost", {{&Cut_weights::mean_cost, -0.93}}),
           without_clues("pocket", {{&Cut_weights::pocket, 0}}),
+          without_clues("several-loops", {{&Cut_weights::several_loops, 0.09}}),
           without_clues("flatness", {{&Cut_weights::flatness, 0}}),
           without_clues("like-part", {{&Cut_weights::like_part, 0}})};
 }

@@ -42,7 +42,7 @@ struct Named_weight
   double first_step;
 };
 
-constexpr std::array<Named_weight, 19> named_weights = {
+constexpr std::array<Named_weight, 20> named_weights = {
   {{"bias", &Cut_weights::bias, 0.5},
    {"concave_share", &Cut_weights::concave_share, 1},
    {"relative_length", &Cut_weights::relative_length, 0.5},
@@ -59,6 +59,7 @@ constexpr std::array<Named_weight, 19> named_weights = {
    {"surrounded", &Cut_weights::surrounded, 2},
    {"most_neighbors", &Cut_weights::most_neighbors, 0.2},
    {"pocket", &Cut_weights::pocket, 2},
+   {"several_loops", &Cut_weights::several_loops, 0.5},
    {"flatness", &Cut_weights::flatness, 2},
    {"least_flatness", &Cut_weights::least_flatness, 0.1},
    {"like_part", &Cut_weights::like_part, 0.5}}};

@@ -147,6 +147,7 @@ public:
     const double thickness = 4 * volume() / (m_smaller_area * std::sqrt(opening() + 0.02 * m_smaller_area));
     clues.thickness = std::log((std::max)(0.001, std::abs(thickness)));
     clues.pocket = (std::max)(0., -thickness);
+    clues.several_loops = has_several_loops(along_inside, along_outside) ? 1 : 0;
     clues.flatness = (1 - share_of_outline()) * std::sqrt(m_area_vector.squared_length()) / m_smaller_area;
     return clues;
   }
@@ -227,6 +228,13 @@ private:
     const double volume = m_graph.outward * (m_flux - m_area_vector * m_centre) / 3;
     const double of_half_cylinder = m_openness * m_smaller_area * length_around(m_length) / (4 * CGAL_PI);
     return std::abs(volume) < of_half_cylinder ? of_half_cylinder : volume;
+  }
+
+  bool has_several_loops(const Nodes& along_inside, const Nodes& along_outside) const
+  {
+    Nodes along_cut = along_inside;
+    along_cut.insert(along_cut.end(), along_outside.begin(), along_outside.end());
+    return !m_bisection.partition().are_connected_nearby(along_cut);
   }
 
   const Volume_graph& m_graph;

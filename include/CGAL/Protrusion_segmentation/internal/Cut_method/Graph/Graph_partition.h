@@ -132,6 +132,22 @@ public:
     return {std::move(inside), std::move(outside)};
   }
 
+  // Whether some nodes, at least one, are connected by paths over themselves and their neighbors. Triangles around a vertex
+  // need these: not all of them share edges with each other.
+  bool are_connected_nearby(const Nodes& nodes)
+  {
+    const std::uint32_t in_set = m_stamp + 1;
+    m_stamp += 2;
+    for (Index i : nodes)
+    {
+      m_visits[i] = in_set;
+      for (Index arc : m_graph.arcs(i))
+        m_visits[m_graph.target[arc]] = in_set;
+    }
+    extend(nodes.front(), [&](Index j) { return m_visits[j] == in_set; });
+    return std::none_of(nodes.begin(), nodes.end(), [&](Index i) { return m_visits[i] == in_set; });
+  }
+
   // The nodes connected to `seed` over nodes for which `is_inside` holds.
   template <typename IsInside>
   Nodes connected_nodes(Index seed, IsInside is_inside)
