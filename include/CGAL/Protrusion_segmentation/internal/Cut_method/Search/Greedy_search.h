@@ -128,18 +128,17 @@ private:
     return true;
   }
 
-  // The best further cut. Segments are searched that promise more than the best one of those that have been searched, and more than
-  // `least_gain`.
+  // The best further cut. The segments that promise more are searched before, if that is at least `least_gain`.
   std::optional<Choice> best_choice(double least_gain)
   {
-    std::optional<Choice> choice = best_known_choice();
-    for (auto next = most_promising_segment(); next && next->first >= (choice ? (std::max)(least_gain, choice->gain) : least_gain);
-         next = most_promising_segment())
+    while (true)
     {
-      search(next->second);
-      choice = best_known_choice();
+      const std::optional<Choice> choice = best_known_choice();
+      const std::optional<Index> segment = largest_unsearched(choice ? (std::max)(least_gain, choice->gain) : least_gain);
+      if (!segment)
+        return choice;
+      search(*segment);
     }
-    return choice;
   }
 
   // Of equal ones the first in the order of the segments.
@@ -153,16 +152,16 @@ private:
     return best;
   }
 
-  // Of the segments that have not been searched yet the largest one, and the most that a cut of a segment of that area usually
-  // gains. Many small segments promise too little to be searched.
-  std::optional<std::pair<double, Index>> most_promising_segment() const
+  // The largest segment that has not been searched yet, if the most that a cut of a segment of that area usually gains is at least
+  // `least_gain`. Many small segments promise too little to be searched.
+  std::optional<Index> largest_unsearched(double least_gain) const
   {
-    std::optional<std::pair<double, Index>> best;
+    const auto area = [this](Index s) { return m_memo[s].segment.area; };
+    std::optional<Index> largest;
     for (Index s : m_best.back().segments)
-      if (const double promise = m_options.largest_relative_value * m_memo[s].segment.area;
-          !m_memo[s].is_searched && (!best || promise > best->first))
-        best = {promise, s};
-    return best;
+      if (!m_memo[s].is_searched && m_options.largest_relative_value * area(s) >= least_gain && (!largest || area(s) > area(*largest)))
+        largest = s;
+    return largest;
   }
 
   void search(Index id)
