@@ -63,7 +63,7 @@ void what_is_no_part_is_not_kept()
   Found_parts parts(weights);
   Cut anywhere = cut_of({1}, 0, tooth);
   anywhere.clues.widening = 0;
-  parts.add({anywhere, cut_of({2}, -1.1, tooth)});
+  parts.add({anywhere, cut_of({2}, -2.1, tooth)});
   CGAL_CHECK(parts.like_those_of(set_that_cuts_off(tooth), {{1, 2, 3}, 1}, {}).empty());
 }
 

@@ -91,6 +91,7 @@ std::vector<Segmentation_method> ablation_methods()
           without_clues("roundness", {{&Cut_weights::roundness, -0.25}}),
           without_clues("neighbors", {{&Cut_weights::neighbors, 0.32}, {&Cut_weights::surrounded, 0}}),
           without_clues("mean-cost", {{&Cut_weights::mean_cost, -0.93}}),
+          without_clues("thickness", {{&Cut_weights::thickness, -0.68}}),
           without_clues("pocket", {{&Cut_weights::pocket, 0}}),
           without_clues("several-loops", {{&Cut_weights::several_loops, 0.09}}),
           without_clues("flatness", {{&Cut_weights::flatness, 0}}),

@@ -42,7 +42,7 @@ struct Named_weight
   double first_step;
 };
 
-constexpr std::array<Named_weight, 20> named_weights = {
+constexpr std::array<Named_weight, 21> named_weights = {
   {{"bias", &Cut_weights::bias, 0.5},
    {"concave_share", &Cut_weights::concave_share, 1},
    {"relative_length", &Cut_weights::relative_length, 0.5},
@@ -56,6 +56,7 @@ constexpr std::array<Named_weight, 20> named_weights = {
    {"roundness", &Cut_weights::roundness, 0.3},
    {"neighbors", &Cut_weights::neighbors, 0.3},
    {"mean_cost", &Cut_weights::mean_cost, 0.3},
+   {"thickness", &Cut_weights::thickness, 0.3},
    {"surrounded", &Cut_weights::surrounded, 2},
    {"most_neighbors", &Cut_weights::most_neighbors, 0.2},
    {"pocket", &Cut_weights::pocket, 2},

@@ -22,7 +22,7 @@ struct Cut_clues
   double roundness;        // log of the area of the opening relative to a circle of the cut's length
   double neighbors;        // log of the length of earlier borders around the smaller side relative to the cut
   double mean_cost;        // log of the cost of a unit of length
-  double thickness;        // log of the volume of the smaller side relative to its area and opening; to compare parts, without a weight
+  double thickness;        // log of the volume of the smaller side relative to its area and opening
   double pocket;           // of a smaller side that goes into the body, its volume relative to its area and opening, else 0
   double several_loops;    // 1 if the cut consists of several loops, else 0
   double flatness;         // of the area of the smaller side, the share that faces one way and not the
@@ -33,7 +33,7 @@ struct Cut_clues
 // benchmark by `fit_cut_weights`. Decisions and figures are in decisions.md of the benchmark.
 struct Cut_weights
 {
-  double bias = -2.65;
+  double bias = -2.45;
   double concave_share = 6;
   double relative_length = -3.7;
   // of a cut that leaves six times as much tube as it is wide: shorter cuts across a smooth tube say no more
@@ -49,6 +49,7 @@ struct Cut_weights
   double surrounded = -3; // what has little but earlier borders around it is a part of the core between limbs
   double most_neighbors = 1.2;
   double mean_cost = -0.8;
+  double thickness = 0.3; // without it disks of some plates are cut
   double pocket = -10; // what goes in is no protrusion
   double several_loops = -1.2; // half of a ring is no part
   double flatness = -12; // a hill, a scale or a pocket faces one way as a whole and is no protrusion
@@ -64,8 +65,8 @@ struct Cut_weights
            relative_length * (std::max)(least_relative_length, clues.relative_length) +
            segment_size * clues.segment_size + widening * clues.widening + larger_shoulder * shoulder +
            smaller_shoulder * clues.smaller_shoulder + roundness * clues.roundness + neighbors * clues.neighbors +
-           surrounded * (std::max)(0., clues.neighbors - most_neighbors) + mean_cost * clues.mean_cost + pocket * clues.pocket +
-           several_loops * clues.several_loops + flatness * (std::max)(0., clues.flatness - least_flatness);
+           surrounded * (std::max)(0., clues.neighbors - most_neighbors) + mean_cost * clues.mean_cost + thickness * clues.thickness +
+           pocket * clues.pocket + several_loops * clues.several_loops + flatness * (std::max)(0., clues.flatness - least_flatness);
   }
 
   // Whether parts that differ by that much are alike.

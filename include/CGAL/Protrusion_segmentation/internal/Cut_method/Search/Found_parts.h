@@ -27,7 +27,7 @@ public:
   void add(const std::vector<Cut>& cuts)
   {
     for (const Cut& cut : cuts)
-      if (may_be_part(m_weights, cut) &&
+      if (may_be_part(cut) &&
           std::none_of(m_parts.begin(), m_parts.end(), [&](const Part& part) { return part.nodes == cut.inner; }))
         m_parts.push_back({cut.inner, cut.size});
   }

@@ -149,6 +149,7 @@ private:
   Orders find_orders(const Segment& segment)
   {
     const Stage_scope stage(m_execution.observer(), Stage::TIPS);
+    m_execution.check();
     std::vector<Nodes> from_near =
       m_distance ? distance_orders(m_surface, segment.nodes, m_graphs.node_of_face, *m_distance, m_execution)
                  : m_workspaces.own().tip_orders(segment, m_execution);

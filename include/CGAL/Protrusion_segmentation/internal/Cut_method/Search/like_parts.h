@@ -15,16 +15,17 @@
 namespace CGAL::Protrusion_segmentation::internal {
 
 // Parts that even a like part makes no protrusions, or that any place of a tube would make, are evidence for none.
-inline bool may_be_part(const Cut_weights& weights, const Cut& cut)
+inline bool may_be_part(const Cut& cut)
 {
-  return cut.log_odds >= -weights.like_part && is_distinct(cut.clues);
+  constexpr double least_log_odds = -2; // with -1 a gear loses its last tooth, decisions.md
+  return cut.log_odds >= least_log_odds && is_distinct(cut.clues);
 }
 
 // What a part of that size, cut off with those log odds, says for a cut that separates one like it: as much as it takes to be as
 // sure as that one, and more, since there are two.
 inline double evidence_of_part(const Cut_weights& weights, const Cut& cut, const Size_of_part& size, double log_odds)
 {
-  const double missing = may_be_part(weights, cut) && !cut.size.is_repeated ? (std::max)(0., log_odds - cut.log_odds) : 0;
+  const double missing = may_be_part(cut) && !cut.size.is_repeated ? (std::max)(0., log_odds - cut.log_odds) : 0;
   return weights.likeness(squared_difference(size, cut.size)) * (weights.like_part + missing);
 }
 
@@ -39,7 +40,7 @@ inline void find_like_parts(const Cut_options& options, std::vector<Cut>& cuts)
     for (const Cut& other : cuts)
     {
       const double difference = squared_difference(cut.size, other.size);
-      if (may_be_part(weights, cut) && may_be_part(weights, other) && (is_sure(other) || !any_is_sure) &&
+      if (may_be_part(cut) && may_be_part(other) && (is_sure(other) || !any_is_sure) &&
           weights.is_like(difference) && are_disjoint(cut.inner, other.inner))
         cut.like_part = (std::max)(cut.like_part, weights.like_part * weights.likeness(difference));
     }
