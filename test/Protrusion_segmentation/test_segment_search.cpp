@@ -9,8 +9,8 @@
 #include "node_sets.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
 
 #include <algorithm>
 #include <numeric>

@@ -4,8 +4,8 @@
 
 #include "Candidate_pool.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Mesh/read_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Nested_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/leave_out_small_components.h>

@@ -12,10 +12,10 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Greedy_search.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Greedy_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/Canonical_surface.h>
 

@@ -9,9 +9,9 @@
 
 #include "components.h"
 
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Sizes_of_parts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Sizes_of_parts.h>
 
 #include <algorithm>
 #include <cstddef>

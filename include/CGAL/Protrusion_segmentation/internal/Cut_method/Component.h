@@ -8,14 +8,14 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/Protrusion.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Greedy_search.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/cuts_of_tips.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Component_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/describe_protrusions.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Greedy_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/cuts_of_tips.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/Next_segment.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/subtree.h>

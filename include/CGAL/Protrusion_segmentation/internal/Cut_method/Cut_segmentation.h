@@ -8,11 +8,11 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/Protrusion.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Component.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Component_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/describe_protrusions.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/share_out_segments.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Any_distance.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_side_by_side.h>

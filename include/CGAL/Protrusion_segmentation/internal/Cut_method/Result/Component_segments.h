@@ -7,13 +7,13 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/divide_long_faces.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Border_arcs.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/Face_borders.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Result/labels_of_faces.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Segments/Segment_tree.h>
 
 #include <algorithm>

@@ -5,11 +5,11 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_FOUND_PARTS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_FOUND_PARTS_H
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/like_parts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut_weights.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/like_parts.h>
 
 #include <algorithm>
 #include <vector>

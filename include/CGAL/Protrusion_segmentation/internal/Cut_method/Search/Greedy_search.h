@@ -5,17 +5,17 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_GREEDY_SEARCH_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_GREEDY_SEARCH_H
 
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Sizes_of_parts.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Found_parts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Sure_cuts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/like_parts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/number_of_segments.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Sizes_of_parts.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -5,10 +5,10 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_SEGMENT_MEMO_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_SEGMENT_MEMO_H
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/like_parts.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/like_parts.h>
 
 #include <algorithm>
 #include <deque>

@@ -5,11 +5,11 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_SURE_CUTS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_SURE_CUTS_H
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_partition.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
 
 #include <algorithm>
 #include <cmath>

@@ -6,10 +6,10 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_SEARCH_CUTS_OF_TIPS_H
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut/Cut.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graphs_of_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_memo.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Search/Segment_search.h>
 #include <CGAL/Protrusion_segmentation/internal/Tips/select_protrusion_tips.h>
 
 #include <algorithm>
