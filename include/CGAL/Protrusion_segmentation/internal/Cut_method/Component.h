@@ -22,7 +22,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -176,13 +175,9 @@ private:
     Cut_options options = m_options;
     options.moves_borders_on_faces = false;
     const Component_segments segments(faces_of_surface(), m_graphs, memo(), set, options, m_execution);
-    std::vector<Index> parts(segments.number_of_segments() - 1);
-    std::iota(parts.begin(), parts.end(), Index(1));
-    std::stable_sort(parts.begin(), parts.end(),
-                     [&](Index a, Index b) { return segments.cut(a)->value > segments.cut(b)->value; });
     Cut_set result = *m_greedy.best(1);
-    for (std::size_t i = 0; i < number_of_cuts; ++i)
-      cut_off(result, segments, parts[i]);
+    for (Index s = 1; s <= number_of_cuts; ++s) // the most valuable ones are first
+      cut_off(result, segments, s);
     return result;
   }
 

@@ -232,14 +232,18 @@ private:
   Nested_segments together(std::vector<Found> found)
   {
     const std::vector<std::vector<Index>> ids = ids_of_segments(found);
-    std::vector<Index> parents(ids.size());
+    std::size_t number_of_segments = 0;
+    for (const Found& one : found)
+      number_of_segments += one.parents.size();
+    std::vector<Index> parents(number_of_segments);
     std::vector<Protrusion<Index>> protrusions;
     for (std::size_t c = 0; c < ids.size(); ++c)
     {
       m_execution.observer().distances_computed(found[c].number_of_runs);
       for (Index f : m_components.faces(c))
         m_labels[f] = ids[c][m_labels[f]];
-      parents.resize(parents.size() + ids[c].size() - 1);
+      for (std::size_t s = 0; s < ids[c].size(); ++s)
+        parents[ids[c][s]] = ids[c][found[c].parents[s]];
       for (Protrusion<Index>& protrusion : found[c].protrusions)
       {
         protrusion.segment = ids[c][protrusion.segment];
@@ -247,9 +251,6 @@ private:
         protrusions.push_back(std::move(protrusion));
       }
     }
-    for (std::size_t c = 0; c < ids.size(); ++c)
-      for (std::size_t s = 0; s < ids[c].size(); ++s)
-        parents[ids[c][s]] = ids[c][found[c].parents[s]];
     std::sort(protrusions.begin(), protrusions.end(), [](const auto& a, const auto& b) { return a.segment < b.segment; });
     for (const Protrusion<Index>& protrusion : protrusions)
     {

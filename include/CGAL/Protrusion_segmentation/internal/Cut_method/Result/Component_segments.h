@@ -18,10 +18,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -130,7 +130,12 @@ private:
     const Cuts cuts = cuts_of_borders(tree, lengths);
     std::vector<Index> order(areas.size());
     std::iota(order.begin(), order.end(), Index(0));
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return rank(cuts[a]) < rank(cuts[b]); });
+    const auto rank = [&](Index leaf) // equal ones in the order in which they were made
+    {
+      const std::optional<std::size_t>& cut = cuts[leaf];
+      return std::make_pair(cut ? -m_set.cuts[*cut].value : -std::numeric_limits<double>::infinity(), cut);
+    };
+    std::sort(order.begin(), order.end(), [&](Index a, Index b) { return rank(a) < rank(b); });
     std::vector<Index> number(areas.size());
     for (Index s = 0; s < order.size(); ++s)
       number[order[s]] = s;
@@ -144,12 +149,6 @@ private:
     }
     for (Index& label : m_labels)
       label = number[label];
-  }
-
-  // No cut is before the most valuable one, which is before others; equal ones are in the order in which they were made.
-  std::tuple<bool, double, std::size_t> rank(const std::optional<std::size_t>& cut) const
-  {
-    return cut ? std::make_tuple(true, -m_set.cuts[*cut].value, *cut) : std::make_tuple(false, 0., std::size_t(0));
   }
 
   // Of every leaf the cut of its border to its parent: the one that separated the two. A cut that separated several gets the

@@ -74,7 +74,6 @@ public:
     : m_surface(surface),
       m_graphs(graphs),
       m_distance(distance),
-      m_options(options),
       m_execution(execution),
       m_workspaces(graphs.coarse, options)
   {}
@@ -187,8 +186,8 @@ private:
     return regions;
   }
 
-  // The different cuts around the candidates. Around a tip there is always something to be cut off if it is asked for; a region is a
-  // guess, and there is no cut if it is a wrong one.
+  // The different cuts around the candidates. Around a tip there is always something to be cut off if it is asked for. A region is
+  // a guess: there is no cut around a wrong one.
   std::vector<Cut> make_cuts(const Segment& segment, const std::vector<Candidate>& candidates)
   {
     std::vector<std::optional<Cut>> cuts(candidates.size());
@@ -210,7 +209,6 @@ private:
   const Indexed_surface& m_surface;
   const Graphs_of_surface& m_graphs;
   const std::optional<Any_distance>& m_distance;
-  const Cut_options& m_options;
   Execution& m_execution;
   Thread_workspaces<Search_workspace> m_workspaces;
   std::size_t m_number_of_runs = 0;
