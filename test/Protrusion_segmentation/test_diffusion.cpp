@@ -41,7 +41,7 @@ void groups_of_faces_average_like_faces()
     internal::Diffusion::Values values;
     for (Index f = 0; f < surface.number_of_faces(); ++f)
       values.push_back(
-        {surface.centroid(f).z() > 0 ? 1.f : 0.f, float(std::sin(4 * surface.centroid(f).x())), 1.f});
+        {surface.centroid(f).z() > 0 ? 1.f : 0.f, float(std::sin(4 * surface.centroid(f).x())), 1.f, 0.f});
     const auto expected = average_without_groups(graph, values, radius);
     internal::Multilevel_diffusion(radius, quiet_execution())(graph, centres(surface), values);
     for (int i = 0; i < 3; ++i)
@@ -69,10 +69,10 @@ void diffusion_keeps_the_mean()
   const Seam_graph graph = seam_graph(random_surface(7));
   internal::Diffusion::Values values(graph.number_of_nodes());
   for (Index f = 0; f < values.size(); ++f)
-    values[f] = {float(f % 3), float(f % 5) / 2, 0.5f};
+    values[f] = {float(f % 3), float(f % 5) / 2, 0.5f, 0};
   internal::Diffusion::Values first_only(values.size());
   for (Index f = 0; f < values.size(); ++f)
-    first_only[f] = {values[f][0], 0, 0};
+    first_only[f] = {values[f][0], 0, 0, 0};
   const internal::Diffusion::Values start = values;
   internal::Diffusion diffuse(graph, 0.01);
   diffuse(values, tolerance, quiet_execution());

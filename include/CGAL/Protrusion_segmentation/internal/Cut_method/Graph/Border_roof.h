@@ -36,22 +36,20 @@ public:
 
   // For each face the direction in which the roof falls, along the surface, as long as its slope. `graph` is the dual graph of
   // the surface, `centre` its centres, `normals` its averaged normals
-  Triples operator()(const Dual_graph& graph, const Centres& centre, const Triples& normals) const
+  Padded_vectors operator()(const Dual_graph& graph, const Centres& centre, const Padded_vectors& normals) const
   {
-    Triples directions = directions_at_border(normals);
+    Padded_vectors directions = directions_at_border(normals);
     Multilevel_diffusion(radius, m_execution)(graph, centre, directions);
     for (std::size_t f = 0; f < normals.size(); ++f)
     {
-      const Vector_3 normal = vector(normals[f]), direction = vector(directions[f]);
+      const Vector_3 normal = unpadded(normals[f]), direction = unpadded(directions[f]);
       const Vector_3 tangential = direction - (direction * normal) * normal; // it may have come around an edge
-      directions[f] = triple(steepness / (std::max)(1., std::sqrt(tangential.squared_length())) * tangential);
+      directions[f] = padded(steepness / (std::max)(1., std::sqrt(tangential.squared_length())) * tangential);
     }
     return directions;
   }
 
 private:
-  static Vector_3 vector(const Triple& t) { return {t[0], t[1], t[2]}; }
-
   // Over which directions at the border are averaged, in units of the square root of the area. With .2 terrain is cut, with .1
   // arms are cut in two.
   static constexpr double radius = 0.15;
@@ -69,7 +67,7 @@ private:
   static constexpr double steepness = 2;
 
   // Outwards in the faces at the border. After diffusion over the radius a straight border has directions of length 4.
-  Triples directions_at_border(const Triples& normals) const
+  Padded_vectors directions_at_border(const Padded_vectors& normals) const
   {
     const double unit = unit_of_length(m_surface);
     const std::vector<Index> part = m_border.parts();
@@ -83,12 +81,12 @@ private:
                       if (lengths.at(part[i]) >= longest_hole * unit)
                         borders[i] = m_border.straight(i, straight_length * unit);
                     });
-    Triples result(m_surface.number_of_faces(), {0, 0, 0});
+    Padded_vectors result(m_surface.number_of_faces(), Padded_vector::Zero());
     for (std::size_t i = 0; i < borders.size(); ++i)
       if (const Index f = m_border()[i].face; m_surface.area(f) > 0)
       {
-        const Vector_3 outwards = cross_product(borders[i], vector(normals[f])) * (2 * radius * unit / m_surface.area(f));
-        result[f] = triple(vector(result[f]) + outwards);
+        const Vector_3 outwards = cross_product(borders[i], unpadded(normals[f])) * (2 * radius * unit / m_surface.area(f));
+        result[f] += padded(outwards);
       }
     return result;
   }

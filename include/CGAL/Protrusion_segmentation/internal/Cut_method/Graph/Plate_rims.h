@@ -56,21 +56,19 @@ private:
   // The mean unit normals, and the mean products of their coordinates, which are the same for opposite normals.
   struct Normal_moments
   {
-    Triples means, squares, products; // the latter xx, yy, zz and xy, yz, zx
+    Padded_vectors means, squares, products; // the latter xx, yy, zz and xy, yz, zx
 
-    explicit Normal_moments(std::size_t size) : means(size, {0, 0, 0}), squares(means), products(means) {}
+    explicit Normal_moments(std::size_t size) : means(size, Padded_vector::Zero()), squares(means), products(means) {}
 
-    void add(std::size_t i, const Triple& n, double weight)
+    void add(std::size_t i, const Padded_vector& n, float weight)
     {
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        means[i][k] += static_cast<float>(weight * n[k]);
-        squares[i][k] += static_cast<float>(weight * n[k] * n[k]);
-        products[i][k] += static_cast<float>(weight * n[k] * n[(k + 1) % 3]);
-      }
+      means[i] += weight * n;
+      squares[i] += weight * n * n;
+      products[i] += weight * n * next(n);
     }
+    static Padded_vector next(const Padded_vector& n) { return {n[1], n[2], n[0], 0}; }
     // the mean squared cosine of the angle to a unit normal
-    double along(std::size_t i, const Triple& n) const
+    double along(std::size_t i, const Padded_vector& n) const
     {
       double sum = 0;
       for (std::size_t k = 0; k < 3; ++k)
@@ -101,7 +99,7 @@ private:
     Normal_moments moments(graph.number_of_nodes());
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
       if (const double area = graph.area[node(f)]; area > 0)
-        moments.add(node(f), unit_normal(m_surface, f), faces.area[f] / area);
+        moments.add(node(f), unit_normal(m_surface, f), static_cast<float>(faces.area[f] / area));
     Multilevel_diffusion average(radius, m_execution);
     average(graph, centre, moments.means);
     average(graph, centre, moments.squares);
@@ -118,7 +116,7 @@ private:
 
   // Whether a face looks sideways where more than this share of the normals is along one direction. In terrain nearly all are, too,
   // but they are not opposite to each other: their mean is long.
-  static bool is_on_edge(const Normal_moments& moments, Index i, const Triple& n, double share)
+  static bool is_on_edge(const Normal_moments& moments, Index i, const Padded_vector& n, double share)
   {
     constexpr double largest_share_sideways = 0.4, largest_squared_mean = 0.25;
     return moments.along(i, n) < largest_share_sideways * moments.trace(i) && moments.are_along_one(i, share) &&

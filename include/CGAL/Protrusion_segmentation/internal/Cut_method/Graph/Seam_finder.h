@@ -77,10 +77,10 @@ public:
   {
     const Border_edges border(m_surface);
     graph.outward = signed_volume(m_surface, border, m_execution.is_parallel()) < 0 ? -1 : 1;
-    const Triples normals = average_normals(m_surface, graph, centre, m_execution);
+    const Padded_vectors normals = average_normals(m_surface, graph, centre, m_execution);
     const std::vector<bool> is_rim = Plate_rims(m_surface, m_execution)(graph, centre);
     const Border_edges outline(m_surface, is_rim);
-    Triples roof; // of a surface that is open or has rims
+    Padded_vectors roof; // of a surface that is open or has rims
     if (!outline().empty())
       roof = Border_roof(m_surface, outline, m_execution)(graph, centre, normals);
     const auto has_roof = [&](Index f) { return !roof.empty() && (is_rim.empty() || !is_rim[f]); };
@@ -100,17 +100,16 @@ private:
   static constexpr double largest_curvature = 60; // beyond it, a radius of 1/60, is tessellation
 
   // Between the normals of two faces, positive where these lean towards each other.
-  double angle(Index f, Index g, const Triples& normals) const
+  double angle(Index f, Index g, const Padded_vectors& normals) const
   {
-    const Triple &n = normals[f], &m = normals[g];
-    const Indexed_surface::Vector_3 turn(m[0] - n[0], m[1] - n[1], m[2] - n[2]);
+    const Indexed_surface::Vector_3 turn = unpadded(normals[g] - normals[f]);
     // by the chord: the cosine of a small angle is inaccurate
     const double size = 2 * std::asin((std::min)(1., std::sqrt(turn.squared_length()) / 2));
     return turn * (m_surface.centroid(g) - m_surface.centroid(f)) < 0 ? size : -size;
   }
 
   // Of an arc, positive where concave. Where two patches meet there is a seam, and less of one inside a patch.
-  double curvature(const Seam_graph& graph, Index f, Index arc, const Triples& normals) const
+  double curvature(const Seam_graph& graph, Index f, Index arc, const Padded_vectors& normals) const
   {
     constexpr double curvature_between_patches = 15, share_in_patch = 0.5; // decisions.md, "Contacts"
     const Index g = graph.target[arc];
@@ -125,11 +124,10 @@ private:
 
   // The curvature of the roof across an arc where it falls from both faces towards each other, else 0: its ridges would hide folds of
   // the surface beside the ends of pipes.
-  double valley(const Seam_graph& graph, Index f, Index arc, const Triples& roof) const
+  double valley(const Seam_graph& graph, Index f, Index arc, const Padded_vectors& roof) const
   {
     const Index g = graph.target[arc];
-    const Triple &p = roof[f], &q = roof[g];
-    const Indexed_surface::Vector_3 turn(p[0] - q[0], p[1] - q[1], p[2] - q[2]), step = m_surface.centroid(g) - m_surface.centroid(f);
+    const Indexed_surface::Vector_3 turn = unpadded(roof[f] - roof[g]), step = m_surface.centroid(g) - m_surface.centroid(f);
     const double length = std::sqrt(step.squared_length());
     const double curvature = length > 0 ? turn * step / length / graph.length[arc] : 0;
     return (std::max)(0., (std::min)(largest_curvature, curvature));

@@ -20,15 +20,14 @@
 namespace CGAL::Protrusion_segmentation::internal {
 
 // Scales each vector to length 1; where it vanishes, it stays the zero vector.
-inline void normalize(Triples& vectors, bool is_parallel)
+inline void normalize(Padded_vectors& vectors, bool is_parallel)
 {
   for_each_number(vectors.size(), is_parallel,
                   [&](std::size_t i)
                   {
-                    Triple& v = vectors[i];
-                    const float length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
-                    for (float& x : v)
-                      x = length > 0 ? x / length : 0;
+                    Padded_vector& v = vectors[i];
+                    if (const float length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); length > 0)
+                      v /= length;
                   });
 }
 
@@ -43,20 +42,20 @@ inline double radius_against_noise(double noise, double edge_length)
 
 // The unit normals of the faces, each the average over a radius around it, which is larger if there is noise. `graph` is the dual
 // graph of the surface.
-inline Triples
+inline Padded_vectors
 average_normals(const Indexed_surface& surface, const Dual_graph& graph, const Centres& centre, Execution& execution)
 {
-  Triples of_faces(surface.number_of_faces());
+  Padded_vectors of_faces(surface.number_of_faces());
   for_each_number(of_faces.size(), execution.is_parallel(),
                   [&](Indexed_surface::Index f) { of_faces[f] = unit_normal(surface, f); });
   const auto average = [&](double radius)
   {
-    Triples normals = of_faces;
+    Padded_vectors normals = of_faces;
     Multilevel_diffusion(radius, execution)(graph, centre, normals);
     normalize(normals, execution.is_parallel());
     return normals;
   };
-  const Triples normals = average(normal_radius);
+  const Padded_vectors normals = average(normal_radius);
   const double edge_length = 1 / std::sqrt(double(surface.number_of_vertices())), noise = noise_of_vertices(surface, normals);
   const double radius = radius_against_noise(noise, edge_length);
   return radius > normal_radius ? average(radius) : normals;

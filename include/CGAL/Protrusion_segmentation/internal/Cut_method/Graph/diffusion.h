@@ -13,8 +13,9 @@
 
 #include <CGAL/number_utils.h>
 
+#include <Eigen/Core>
+
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numeric>
 #include <optional>
@@ -22,19 +23,22 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-using Triple = std::array<float, 3>;
-using Triples = std::vector<Triple>; // of every node
+// A vector and a zero: four numbers, which a processor adds at once.
+using Padded_vector = Eigen::Array4f;
+using Padded_vectors = std::vector<Padded_vector>; // of every node
 
-inline Triple triple(const Indexed_surface::Vector_3& v)
+inline Padded_vector padded(const Indexed_surface::Vector_3& v)
 {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), 0};
 }
 
+inline Indexed_surface::Vector_3 unpadded(const Padded_vector& v) { return {v[0], v[1], v[2]}; }
+
 // Zero of a face without area.
-inline Triple unit_normal(const Indexed_surface& surface, Indexed_surface::Index f)
+inline Padded_vector unit_normal(const Indexed_surface& surface, Indexed_surface::Index f)
 {
   const double area = surface.area(f);
-  return area > 0 ? triple(surface.area_vector(f) / area) : Triple{0, 0, 0};
+  return area > 0 ? padded(surface.area_vector(f) / area) : Padded_vector::Zero();
 }
 
 // Diffuses vectors on the nodes of a dual graph: solves (M + time * L) x = M x_0 for each coordinate, where M holds the
@@ -47,7 +51,7 @@ class Diffusion
 {
 public:
   using Index = Dual_graph::Index;
-  using Values = Triples;
+  using Values = Padded_vectors;
 
   // `scale`: of the conductances
   Diffusion(const Dual_graph& graph, double time, double scale = 1, bool is_parallel = false)
@@ -76,43 +80,28 @@ public:
   {
     constexpr int maximum_number_of_iterations = 200; // some ten to thirty are usual
     const Sums right_hand_side = start(x);
-    Sums rho = advance({0, 0, 0}, x);
-    const auto is_solved = [&](std::size_t i) { return !(rho[i] > tolerance * tolerance * right_hand_side[i]); };
+    Sums rho = advance(Padded_vector::Zero(), x);
+    const auto is_solved = [&](Eigen::Index i) { return !(rho[i] > tolerance * tolerance * right_hand_side[i]); };
     for (int iteration = 0; iteration < maximum_number_of_iterations; ++iteration)
     {
       execution.check();
       if (is_solved(0) && is_solved(1) && is_solved(2))
         return;
       const Sums curvature = multiply(m_direction, m_product);
-      Triple step, share;
-      for (std::size_t i = 0; i < 3; ++i)
+      Padded_vector step = Padded_vector::Zero(), share = step;
+      for (Eigen::Index i = 0; i < 3; ++i)
         step[i] = is_solved(i) ? 0 : static_cast<float>(rho[i] / curvature[i]);
       const Sums before = rho;
       rho = advance(step, x);
-      for (std::size_t i = 0; i < 3; ++i)
+      for (Eigen::Index i = 0; i < 3; ++i)
         share[i] = before[i] > 0 ? static_cast<float>(rho[i] / before[i]) : 0;
-      for_each_node(
-        [&](Index k)
-        {
-          for (std::size_t i = 0; i < 3; ++i)
-            m_direction[k][i] = m_residual[k][i] / m_diagonal[k] + share[i] * m_direction[k][i];
-        });
+      for_each_node([&](Index k) { m_direction[k] = m_residual[k] / m_diagonal[k] + share * m_direction[k]; });
     }
     // Faces differ more in size than single precision can resolve: the values are averaged well enough all the same.
   }
 
 private:
-  struct Sums
-  {
-    std::array<double, 3> of = {0, 0, 0};
-
-    double& operator[](std::size_t i) { return of[i]; }
-    double operator[](std::size_t i) const { return of[i]; }
-    Sums operator+(const Sums& other) const
-    {
-      return {{of[0] + other[0], of[1] + other[1], of[2] + other[2]}};
-    }
-  };
+  using Sums = Eigen::Array4d;
 
   template <typename Visit>
   void for_each_node(Visit visit) const
@@ -124,7 +113,7 @@ private:
   template <typename Add>
   Sums add_nodes(Add add) const
   {
-    return add_numbers(m_graph.number_of_nodes(), m_is_parallel, Sums(), add);
+    return add_numbers(m_graph.number_of_nodes(), m_is_parallel, Sums(Sums::Zero()), add);
   }
 
   // a face without area still must not make the matrix singular
@@ -140,28 +129,22 @@ private:
     return add_nodes(
       [&](Sums& norms, Index k)
       {
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-          const double b = mass(k) * x[k][i];
-          m_residual[k][i] = static_cast<float>(b - m_product[k][i]);
-          m_direction[k][i] = m_residual[k][i] / m_diagonal[k];
-          norms[i] += b * b / m_diagonal[k];
-        }
+        const Sums b = mass(k) * x[k].cast<double>();
+        m_residual[k] = (b - m_product[k].cast<double>()).cast<float>();
+        m_direction[k] = m_residual[k] / m_diagonal[k];
+        norms += b * b / m_diagonal[k];
       });
   }
 
   // Goes `step` along the direction; returns the norms of the new residuals.
-  Sums advance(const Triple& step, Values& x)
+  Sums advance(const Padded_vector& step, Values& x)
   {
     return add_nodes(
       [&](Sums& sums, Index k)
       {
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-          x[k][i] += step[i] * m_direction[k][i];
-          m_residual[k][i] -= step[i] * m_product[k][i];
-          sums[i] += m_residual[k][i] * static_cast<double>(m_residual[k][i] / m_diagonal[k]);
-        }
+        x[k] += step * m_direction[k];
+        m_residual[k] -= step * m_product[k];
+        sums += m_residual[k].cast<double>() * (m_residual[k] / m_diagonal[k]).cast<double>();
       });
   }
 
@@ -171,15 +154,11 @@ private:
     return add_nodes(
       [&](Sums& sums, Index k)
       {
-        Triple row;
-        for (std::size_t i = 0; i < 3; ++i)
-          row[i] = m_diagonal[k] * x[k][i];
+        Padded_vector row = m_diagonal[k] * x[k];
         for (Index arc : m_graph.arcs(k))
-          for (std::size_t i = 0; i < 3; ++i)
-            row[i] -= m_weights[arc] * x[m_graph.target[arc]][i];
+          row -= m_weights[arc] * x[m_graph.target[arc]];
         result[k] = row;
-        for (std::size_t i = 0; i < 3; ++i)
-          sums[i] += x[k][i] * static_cast<double>(row[i]);
+        sums += x[k].cast<double>() * row.cast<double>();
       });
   }
 
@@ -253,13 +232,12 @@ private:
 
   static Values means_of_groups(const Dual_graph& graph, const Contracted<Dual_graph>& groups, const Values& values)
   {
-    Values means(groups.graph.number_of_nodes(), {0, 0, 0});
+    Values means(groups.graph.number_of_nodes(), Padded_vector::Zero());
     for (Index i = 0; i < graph.number_of_nodes(); ++i)
     {
       const Index group = groups.node[i];
-      const double area = groups.graph.area[group];
-      for (std::size_t k = 0; k < 3 && area > 0; ++k)
-        means[group][k] += static_cast<float>(graph.area[i] / area * values[i][k]);
+      if (const double area = groups.graph.area[group]; area > 0)
+        means[group] += static_cast<float>(graph.area[i] / area) * values[i];
     }
     return means;
   }
