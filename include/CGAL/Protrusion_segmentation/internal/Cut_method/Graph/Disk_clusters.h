@@ -7,17 +7,15 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/contract_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Surface/Float_key.h>
+#include <CGAL/Protrusion_segmentation/internal/Distances/Bucket_ring.h>
 
 #include <CGAL/number_utils.h>
-
-#include <boost/heap/d_ary_heap.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <tuple>
 #include <vector>
@@ -38,7 +36,7 @@ public:
 
   // The arguments must outlive the object.
   Disk_clusters(const Seam_graph& graph, const Centres& centre)
-    : m_graph(graph), m_centre(centre), m_distances(graph.number_of_nodes())
+    : m_graph(graph), m_centre(centre), m_distances(graph.number_of_nodes()), m_ring(seam_lengths_of_arcs(graph))
   {}
 
   // At most `largest_number`: the radius grows until there are few enough.
@@ -113,7 +111,7 @@ private:
         return false;
       execution.check();
       m_seeds.push_back(place.node);
-      offer(place.node, 0);
+      push_source(place.node);
       spread(m_graph.lengths(), static_cast<float>(radius), [](Index, Index) {});
     }
     return true;
@@ -124,48 +122,63 @@ private:
   {
     Clusters result;
     result.number = static_cast<Index>(m_seeds.size());
-    result.of_node.resize(m_graph.number_of_nodes());
+    result.of_node.assign(m_graph.number_of_nodes(), result.number);
     std::fill(m_distances.begin(), m_distances.end(), infinity);
     std::sort(m_seeds.begin(), m_seeds.end());
-    for (Index s = 0; s < m_seeds.size(); ++s)
+    for (Index s = 0; s < result.number; ++s)
     {
-      offer(m_seeds[s], 0);
+      push_source(m_seeds[s]);
       result.of_node[m_seeds[s]] = s;
     }
-    spread(m_graph.seam_lengths(), infinity, [&](Index from, Index to) { result.of_node[to] = result.of_node[from]; });
+    std::vector<Index> before(m_graph.number_of_nodes()); // on the shortest path to a node
+    spread(m_graph.seam_lengths(), infinity, [&](Index from, Index to) { before[to] = from; });
+    std::vector<Index> path;
+    for (Index node = 0; node < before.size(); ++node)
+    {
+      Index i = node;
+      for (; result.of_node[i] == result.number; i = before[i])
+        path.push_back(i);
+      for (Index on_path : path)
+        result.of_node[on_path] = result.of_node[i];
+      path.clear();
+    }
     return result;
   }
 
-  void offer(Index node, float distance)
+  void push_source(Index node)
   {
-    m_distances[node] = distance;
-    m_queue.push(float_key(distance, node));
+    m_distances[node] = 0;
+    m_ring.push_source(node);
   }
 
-  // Dijkstra's algorithm from the nodes that were offered, as far as they are nearer than earlier ones. Equally near nodes
-  // come in the order of their numbers. Calls `step(from, to)` whenever a path to a node is the shortest so far.
+  // Shortest paths from the sources, as far as they are shorter than those of earlier ones. Calls `step(from, to)` whenever a path
+  // to a node is the shortest so far.
   template <typename Length, typename Step>
   void spread(Length length, float limit, Step step)
   {
-    while (!m_queue.empty())
-    {
-      const Index node = index_of(m_queue.top());
-      const float distance = float_of(m_queue.top());
-      m_queue.pop();
-      if (distance > m_distances[node])
-        continue;
-      for (Index arc : m_graph.arcs(node))
+    float* const distances = m_distances.data();
+    m_ring.scan_all(
+      [=](Index node) { return distances[node]; },
+      [=](Index node, Ring::Offer* end)
       {
-        const Index neighbor = m_graph.target[arc];
-        const float beyond = distance + static_cast<float>(length(arc));
-        if (!(beyond < m_distances[neighbor] && beyond <= limit))
-          continue;
-        offer(neighbor, beyond);
-        step(node, neighbor);
-      }
-    }
+        for (Index arc : m_graph.arcs(node))
+        {
+          const Index neighbor = m_graph.target[arc];
+          const float distance = distances[node] + static_cast<float>(length(arc));
+          *end = {distance, neighbor, node};
+          end += (distance < distances[neighbor]) & (distance <= limit);
+        }
+        return end;
+      },
+      [&, distances](const Ring::Offer& path)
+      {
+        distances[path.vertex] = path.distance;
+        step(path.before, path.vertex);
+      },
+      [] {});
   }
 
+  using Ring = Bucket_ring<Index, float>;
   static constexpr float infinity = (std::numeric_limits<float>::infinity)();
 
   const Seam_graph& m_graph;
@@ -173,7 +186,7 @@ private:
   std::vector<Place> m_places; // by priority
   std::vector<Index> m_seeds;
   std::vector<float> m_distances; // of every node to the nearest seed
-  boost::heap::d_ary_heap<Float_key, boost::heap::arity<4>, boost::heap::compare<std::greater<>>> m_queue;
+  Ring m_ring;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -19,6 +19,15 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
+// What a `Bucket_ring` must know of paths of seam lengths.
+inline Arc_lengths seam_lengths_of_arcs(const Seam_graph& graph)
+{
+  Arc_lengths lengths;
+  for (Dual_graph::Index i = 0; i < graph.number_of_nodes(); ++i)
+    lengths.add_vertex(graph.arcs(i) | boost::adaptors::transformed([&](Dual_graph::Index arc) { return graph.seam_length(arc); }));
+  return lengths;
+}
+
 // Nodes and their distances from some others.
 struct Nodes_by_distance
 {
@@ -38,7 +47,7 @@ public:
     : m_graph(graph),
       m_seam_lengths(seam_lengths_of(graph)),
       m_distances(graph.number_of_nodes(), unreached),
-      m_ring(ring_for(graph, m_seam_lengths))
+      m_ring(seam_lengths_of_arcs(graph))
   {}
 
   // The seam lengths, as a function of an arc that must not outlive the object.
@@ -125,15 +134,6 @@ private:
     for (Index arc = 0; arc < result.size(); ++arc)
       result[arc] = graph.seam_length(arc);
     return result;
-  }
-
-  static Ring ring_for(const Seam_graph& graph, const std::vector<float>& seam_lengths)
-  {
-    Arc_lengths lengths;
-    for (Index i = 0; i < graph.number_of_nodes(); ++i)
-      lengths.add_vertex(graph.arcs(i) |
-                         boost::adaptors::transformed([&](Index arc) { return seam_lengths[arc]; }));
-    return Ring(lengths);
   }
 
   // The nodes that were scanned in a bucket, whose distances are final, each once.
