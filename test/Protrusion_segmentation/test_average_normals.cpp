@@ -25,8 +25,11 @@ using namespace test_meshes;
 void normals_of_a_sphere_point_outward()
 {
   const Indexed_surface surface = to_surface(jittered(icosphere(4), 0.005, 1));
-  const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(
-    surface, seam_graph(surface), centres(surface), quiet_execution());
+  const auto graph = seam_graph(surface);
+  const auto centre = centres(surface);
+  const CGAL::Protrusion_segmentation::internal::Surface_average average(
+    graph, centre, CGAL::Protrusion_segmentation::internal::normal_radius, quiet_execution());
+  const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(surface, average, quiet_execution());
   for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
     const Indexed_surface::Vector_3 radius = surface.centroid(f) - Indexed_surface::Point_3(0, 0, 0);
@@ -60,10 +63,14 @@ void a_roof_falls_towards_the_border()
     const Indexed_surface surface = to_surface(mesh);
     const auto graph = seam_graph(surface);
     const auto centre = centres(surface);
-    const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(surface, graph, centre, quiet_execution());
+    const CGAL::Protrusion_segmentation::internal::Surface_average average(
+      graph, centre, CGAL::Protrusion_segmentation::internal::normal_radius, quiet_execution());
+    const CGAL::Protrusion_segmentation::internal::Surface_average average_for_outline(
+      average, CGAL::Protrusion_segmentation::internal::outline_radius);
+    const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(surface, average, quiet_execution());
     const CGAL::Protrusion_segmentation::internal::Border_edges border(surface);
     const auto roof =
-      CGAL::Protrusion_segmentation::internal::Border_roof(surface, border, quiet_execution())(graph, centre, normals);
+      CGAL::Protrusion_segmentation::internal::Border_roof(surface, border, quiet_execution())(normals, average_for_outline);
     for (Index f = 0; f < surface.number_of_faces(); ++f)
     {
       const double height = surface.centroid(f).z();

@@ -26,7 +26,7 @@ Clusters clusters_of(const Test_mesh& mesh, Index largest_number = no_limit)
   const Indexed_surface surface = to_surface(mesh);
   const Seam_graph graph = seam_graph(surface);
   const Centres centre = centres(surface);
-  return internal::Disk_clusters(graph, centre)(largest_number, quiet_execution());
+  return internal::Disk_clusters(graph, centre, 0.026)(largest_number, quiet_execution());
 }
 
 // Of clusters, the number of connected pieces of their nodes.

@@ -33,8 +33,7 @@ void borders_on_faces_keep_the_segments_connected(const Test_mesh& mesh, std::si
   {
     const std::vector<Index> labels = labels_of_faces(of_mesh.component, *of_mesh.component.best(k));
     check_segments(graph, labels, k);
-    const std::vector<Index> moved = internal::Face_borders(graph, labels, k)(internal::band_of_clusters,
-                                                                              quiet_execution());
+    const std::vector<Index> moved = internal::Face_borders(graph, labels, k)(quiet_execution());
     check_segments(graph, moved, k);
     CGAL_CHECK(cost_of_borders(graph, moved) <= cost_of_borders(graph, labels) * (1 + 1e-6));
   }
@@ -60,7 +59,7 @@ void a_segment_does_not_lose_a_half_that_hangs_on_a_bridge()
     for (std::size_t x = 0; x < columns; ++x)
       labels.push_back(is_between(y, 2, 11) && is_between(x, 1, 24) && (x < 11 || x > 14 || y == 6) ? 1 : 0);
   check_segments(graph, labels, 2);
-  const std::vector<Index> moved = internal::Face_borders(graph, labels, 2)(internal::band_of_clusters, quiet_execution());
+  const std::vector<Index> moved = internal::Face_borders(graph, labels, 2)(quiet_execution());
   check_segments(graph, moved, 2);
   CGAL_CHECK(area_of(graph, moved, 1) > 0.75 * area_of(graph, labels, 1));
 }
@@ -89,8 +88,7 @@ void random_segments_stay_connected(std::uint_fast32_t seed)
       }
   }
   check_segments(graph, labels, number);
-  for (const internal::Band& band : {internal::band_of_clusters, internal::band_of_groups})
-    check_segments(graph, internal::Face_borders(graph, labels, number)(band, quiet_execution()), number);
+  check_segments(graph, internal::Face_borders(graph, labels, number)(quiet_execution()), number);
 }
 
 int main()

@@ -29,21 +29,17 @@ Graphs_of_surface graphs_of(const Indexed_surface& surface)
   return Graphs_of_surface(surface, default_options(), quiet_execution());
 }
 
-// A large surface is divided into groups of faces first.
 void a_large_surface_has_as_many_nodes()
 {
   const Indexed_surface surface = to_surface(icosphere(7)); // 327,680 faces
   const Graphs_of_surface graphs = graphs_of(surface);
-  CGAL_CHECK(graphs.groups.has_value());
   CGAL_CHECK(graphs.coarse.number_of_nodes() > 1200 && graphs.coarse.number_of_nodes() < 1700);
   check_segments(graphs.fine, graphs.node_of_face, graphs.coarse.number_of_nodes());
-  check_segments(graphs.fine, graphs.group_of_face, graphs.groups->number_of_nodes());
 }
 
 void a_small_surface_stays_as_it_is()
 {
   const Graphs_of_surface graphs = graphs_of(to_surface(icosphere(2)));
-  CGAL_CHECK(!graphs.groups.has_value());
   CGAL_CHECK_EQUAL(graphs.coarse.number_of_nodes(), icosphere(2).faces.size());
   CGAL_CHECK(graphs.node_of_face == all_nodes(graphs.fine));
 }

@@ -27,7 +27,9 @@ using namespace CGAL::Protrusion_segmentation::internal;
 
 Padded_vectors normals(const Indexed_surface& surface)
 {
-  return average_normals(surface, seam_graph(surface), centres(surface), quiet_execution());
+  const auto graph = seam_graph(surface);
+  const auto centre = centres(surface);
+  return average_normals(surface, Surface_average(graph, centre, normal_radius, quiet_execution()), quiet_execution());
 }
 
 // In units of the mesh.

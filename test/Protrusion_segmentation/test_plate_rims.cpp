@@ -43,7 +43,10 @@ Test_mesh flat_square(int cells)
 std::vector<bool> rims(const Test_mesh& mesh)
 {
   const Indexed_surface surface = to_surface(mesh);
-  return CGAL::Protrusion_segmentation::internal::Plate_rims(surface, quiet_execution())(seam_graph(surface), centres(surface));
+  const auto graph = seam_graph(surface);
+  const auto centre = centres(surface);
+  return CGAL::Protrusion_segmentation::internal::Plate_rims(surface)(CGAL::Protrusion_segmentation::internal::Surface_average(
+    graph, centre, CGAL::Protrusion_segmentation::internal::outline_radius, quiet_execution()));
 }
 
 // The walls and nothing else, wherever the plate is, of few and many triangles; of narrow arms not all.

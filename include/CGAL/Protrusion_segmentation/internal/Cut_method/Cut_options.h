@@ -51,6 +51,10 @@ struct Cut_options
 // Over what radius normals are averaged, in units of the square root of the area; between .015 and .05 without effect.
 constexpr double normal_radius = 0.03;
 
+// Over which rims of plates and directions at the border are averaged, in the same units. With .2 fewer thin plates are right and
+// terrain is cut, with .1 no plates are right, and arms are cut in two.
+constexpr double outline_radius = 0.15;
+
 // How wide a seam is by that, in the same units: at most twice as wide. With .04 legs of tables have rings on top.
 constexpr double width_of_seam = 0.05;
 

@@ -7,8 +7,9 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Border_edges.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Surface_average.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/diffusion.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 
@@ -34,12 +35,12 @@ public:
     : m_surface(surface), m_border(border), m_execution(execution)
   {}
 
-  // For each face the direction in which the roof falls, along the surface, as long as its slope. `graph` is the dual graph of
-  // the surface, `centre` its centres, `normals` its averaged normals
-  Padded_vectors operator()(const Dual_graph& graph, const Centres& centre, const Padded_vectors& normals) const
+  // For each face the direction in which the roof falls, along the surface, as long as its slope. `normals`: the averaged ones;
+  // `average`: over `outline_radius`
+  Padded_vectors operator()(const Padded_vectors& normals, const Surface_average& average) const
   {
     Padded_vectors directions = directions_at_border(normals);
-    Multilevel_diffusion(radius, m_execution)(graph, centre, directions);
+    average(directions);
     for (std::size_t f = 0; f < normals.size(); ++f)
     {
       const Vector_3 normal = unpadded(normals[f]), direction = unpadded(directions[f]);
@@ -50,10 +51,6 @@ public:
   }
 
 private:
-  // Over which directions at the border are averaged, in units of the square root of the area. With .2 terrain is cut, with .1
-  // arms are cut in two.
-  static constexpr double radius = 0.15;
-
   // A border that is shorter, in units of the square root of the area, is that of a hole or of a limb's end and has no roof: it
   // says nothing of the outline.
   static constexpr double longest_hole = 0.4;
@@ -85,7 +82,7 @@ private:
     for (std::size_t i = 0; i < borders.size(); ++i)
       if (const Index f = m_border()[i].face; m_surface.area(f) > 0)
       {
-        const Vector_3 outwards = cross_product(borders[i], unpadded(normals[f])) * (2 * radius * unit / m_surface.area(f));
+        const Vector_3 outwards = cross_product(borders[i], unpadded(normals[f])) * (2 * outline_radius * unit / m_surface.area(f));
         result[f] += padded(outwards);
       }
     return result;

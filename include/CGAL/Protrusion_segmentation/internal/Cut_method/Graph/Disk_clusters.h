@@ -24,19 +24,20 @@ namespace CGAL::Protrusion_segmentation::internal {
 
 // Divides a connected graph into clusters by a Poisson disk sampling: seeds that are farther from each other than a
 // radius, so many that no node is farther from all of them. Every node goes to the nearest seed, with arcs across concave seams
-// longer. Clusters are connected.
+// longer, if the graph has seams. Clusters are connected.
 //
 // Which nodes become seeds depends on the places of the nodes in the canonical frame of the surface: their order is that of
 // random numbers of the cells of a grid, which are the same on both sides of the coordinate planes. So clusters depend on
 // the shape: other triangles change the clusters nearby and no others, and a shape with mirror symmetry gets mirrored ones.
+template <typename Graph>
 class Disk_clusters
 {
 public:
   using Index = Dual_graph::Index;
 
-  // The arguments must outlive the object.
-  Disk_clusters(const Seam_graph& graph, const Centres& centre)
-    : m_graph(graph), m_centre(centre), m_distances(graph.number_of_nodes()), m_ring(seam_lengths_of_arcs(graph))
+  // `radius`: in units of the square root of the area. The graph and the centres must outlive the object.
+  Disk_clusters(const Graph& graph, const Centres& centre, double radius)
+    : m_graph(graph), m_centre(centre), m_radius(radius), m_distances(graph.number_of_nodes()), m_ring(seam_lengths_of_arcs(graph))
   {}
 
   // At most `largest_number`: the radius grows until there are few enough.
@@ -44,15 +45,12 @@ public:
   {
     constexpr double growth = 1.25;
     sort_nodes_by_priority();
-    for (double radius = disk_radius; !select_seeds(radius, largest_number, execution);)
+    for (double radius = m_radius; !select_seeds(radius, largest_number, execution);)
       radius *= growth;
     return clusters();
   }
 
 private:
-  // In units of the square root of the area: some 1,400 clusters. From .018 to .026 errors are the same within chance.
-  static constexpr double disk_radius = 0.026;
-
   struct Place
   {
     std::uint64_t priority; // of the cell
@@ -75,7 +73,7 @@ private:
 
   Place place(Index node) const
   {
-    constexpr double cell_size = disk_radius / 2; // smaller than a disk, larger than most faces
+    const double cell_size = m_radius / 2; // smaller than a disk, larger than most faces
     // of 21 bits; no surface that is 1 in area gets as far in any sensible number of faces
     constexpr double largest_coordinate = (1 << 21) - 1;
     std::uint64_t cell = 0;
@@ -131,7 +129,7 @@ private:
       result.of_node[m_seeds[s]] = s;
     }
     std::vector<Index> before(m_graph.number_of_nodes()); // on the shortest path to a node
-    spread(m_graph.seam_lengths(), infinity, [&](Index from, Index to) { before[to] = from; });
+    spread([this](Index arc) { return m_graph.seam_length(arc); }, infinity, [&](Index from, Index to) { before[to] = from; });
     std::vector<Index> path;
     for (Index node = 0; node < before.size(); ++node)
     {
@@ -181,8 +179,9 @@ private:
   using Ring = Bucket_ring<Index, float>;
   static constexpr float infinity = (std::numeric_limits<float>::infinity)();
 
-  const Seam_graph& m_graph;
+  const Graph& m_graph;
   const Centres& m_centre;
+  double m_radius;
   std::vector<Place> m_places; // by priority
   std::vector<Index> m_seeds;
   std::vector<float> m_distances; // of every node to the nearest seed

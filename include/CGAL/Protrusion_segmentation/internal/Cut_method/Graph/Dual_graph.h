@@ -50,6 +50,8 @@ struct Dual_graph
   {
     return [this](Index arc) { return length[arc]; };
   }
+  // longer across seams where these are known
+  float seam_length(Index arc) const { return length[arc]; }
 };
 
 // That of a graph: the square root of the area of the surface.

@@ -20,7 +20,8 @@
 namespace CGAL::Protrusion_segmentation::internal {
 
 // What a `Bucket_ring` must know of paths of seam lengths.
-inline Arc_lengths seam_lengths_of_arcs(const Seam_graph& graph)
+template <typename Graph>
+Arc_lengths seam_lengths_of_arcs(const Graph& graph)
 {
   Arc_lengths lengths;
   for (Dual_graph::Index i = 0; i < graph.number_of_nodes(); ++i)

@@ -5,10 +5,8 @@
 #ifndef CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_PLATE_RIMS_H
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_PLATE_RIMS_H
 
-#include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarsen_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Surface_average.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/diffusion.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
 
@@ -28,24 +26,29 @@ class Plate_rims
 public:
   using Index = Indexed_surface::Index;
 
-  // The arguments must outlive the object.
-  Plate_rims(const Indexed_surface& surface, Execution& execution) : m_surface(surface), m_execution(execution) {}
+  // The surface must outlive the object.
+  explicit Plate_rims(const Indexed_surface& surface) : m_surface(surface) {}
 
-  // For each face whether it lies on a rim; nothing if none does. `graph` is the dual graph of the surface, `centre` its centres
-  std::vector<bool> operator()(const Dual_graph& graph, const Centres& centre) const
+  // For each face whether it lies on a rim; nothing if none does. `average`: over `outline_radius`
+  std::vector<bool> operator()(const Surface_average& average) const
   {
-    constexpr double largest_group = 1. / 6; // of the radius
-    const double number = 1 / CGAL::square(largest_group * radius);
-    if (graph.number_of_nodes() < 2 * number)
-      return rims(graph, graph, centre, nullptr);
-    const Contracted<Dual_graph> groups = coarsen(graph, centre, graph.border_length, static_cast<Index>(number), m_execution);
-    return rims(graph, groups.graph, groups.centre, &groups.node);
+    Normal_moments moments(m_surface.number_of_faces());
+    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
+      moments.set(f, unit_normal(m_surface, f));
+    average(moments.means);
+    average(moments.squares);
+    average(moments.products);
+    const auto faces_on_edges = [&](double share)
+    {
+      std::vector<bool> result(m_surface.number_of_faces());
+      for (Index f = 0; f < m_surface.number_of_faces(); ++f)
+        result[f] = is_on_edge(moments, f, unit_normal(m_surface, f), share);
+      return result;
+    };
+    return strips_of_plates(faces_on_edges(share_beside_plate), faces_on_edges(share_of_plate));
   }
 
 private:
-  // Over which normals are compared, in units of the square root of the area: with .2 fewer thin plates are right, with .1 none.
-  static constexpr double radius = 0.15;
-
   // From .68 to .72 there is little difference. With .66 more thin gears are cut into arcs, with .78 fewer plates with arms are
   // right.
   static constexpr double share_of_plate = 0.72;
@@ -58,13 +61,15 @@ private:
   {
     Padded_vectors means, squares, products; // the latter xx, yy, zz and xy, yz, zx
 
-    explicit Normal_moments(std::size_t size) : means(size, Padded_vector::Zero()), squares(means), products(means) {}
+    explicit Normal_moments(std::size_t number_of_faces)
+      : means(number_of_faces), squares(number_of_faces), products(number_of_faces)
+    {}
 
-    void add(std::size_t i, const Padded_vector& n, float weight)
+    void set(std::size_t i, const Padded_vector& n)
     {
-      means[i] += weight * n;
-      squares[i] += weight * n * n;
-      products[i] += weight * n * next(n);
+      means[i] = n;
+      squares[i] = n * n;
+      products[i] = n * next(n);
     }
     static Padded_vector next(const Padded_vector& n) { return {n[1], n[2], n[0], 0}; }
     // the mean squared cosine of the angle to a unit normal
@@ -90,29 +95,6 @@ private:
       return xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * zx) + zx * (xy * yz - yy * zx) > 0;
     }
   };
-
-  // `faces`: their graph; `group`: of each face its node in the other graph, if that is one of groups
-  std::vector<bool>
-  rims(const Dual_graph& faces, const Dual_graph& graph, const Centres& centre, const std::vector<Index>* group) const
-  {
-    const auto node = [&](Index f) { return group ? (*group)[f] : f; };
-    Normal_moments moments(graph.number_of_nodes());
-    for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-      if (const double area = graph.area[node(f)]; area > 0)
-        moments.add(node(f), unit_normal(m_surface, f), static_cast<float>(faces.area[f] / area));
-    Multilevel_diffusion average(radius, m_execution);
-    average(graph, centre, moments.means);
-    average(graph, centre, moments.squares);
-    average(graph, centre, moments.products);
-    const auto faces_on_edges = [&](double share)
-    {
-      std::vector<bool> result(m_surface.number_of_faces());
-      for (Index f = 0; f < m_surface.number_of_faces(); ++f)
-        result[f] = is_on_edge(moments, node(f), unit_normal(m_surface, f), share);
-      return result;
-    };
-    return strips_of_plates(faces_on_edges(share_beside_plate), faces_on_edges(share_of_plate));
-  }
 
   // Whether a face looks sideways where more than this share of the normals is along one direction. In terrain nearly all are, too,
   // but they are not opposite to each other: their mean is long.
@@ -148,7 +130,6 @@ private:
   }
 
   const Indexed_surface& m_surface;
-  Execution& m_execution;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -12,6 +12,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Border_roof.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Plate_rims.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Surface_average.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/average_normals.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 
@@ -77,12 +78,13 @@ public:
   {
     const Border_edges border(m_surface);
     graph.outward = signed_volume(m_surface, border, m_execution.is_parallel()) < 0 ? -1 : 1;
-    const Padded_vectors normals = average_normals(m_surface, graph, centre, m_execution);
-    const std::vector<bool> is_rim = Plate_rims(m_surface, m_execution)(graph, centre);
+    const Surface_average average(graph, centre, normal_radius, m_execution), average_for_outline(average, outline_radius);
+    const Padded_vectors normals = average_normals(m_surface, average, m_execution);
+    const std::vector<bool> is_rim = Plate_rims(m_surface)(average_for_outline);
     const Border_edges outline(m_surface, is_rim);
     Padded_vectors roof; // of a surface that is open or has rims
     if (!outline().empty())
-      roof = Border_roof(m_surface, outline, m_execution)(graph, centre, normals);
+      roof = Border_roof(m_surface, outline, m_execution)(normals, average_for_outline);
     const auto has_roof = [&](Index f) { return !roof.empty() && (is_rim.empty() || !is_rim[f]); };
     graph.curvature.resize(graph.target.size());
     graph.capacity.resize(graph.target.size());

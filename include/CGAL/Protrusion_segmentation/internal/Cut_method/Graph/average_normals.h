@@ -8,7 +8,7 @@
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Surface_average.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/diffusion.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/noise_of_vertices.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
@@ -40,25 +40,24 @@ inline double radius_against_noise(double noise, double edge_length)
   return std::clamp(factor * std::cbrt(noise * edge_length), normal_radius, largest_radius);
 }
 
-// The unit normals of the faces, each the average over a radius around it, which is larger if there is noise. `graph` is the dual
-// graph of the surface.
-inline Padded_vectors
-average_normals(const Indexed_surface& surface, const Dual_graph& graph, const Centres& centre, Execution& execution)
+// The unit normals of the faces, each the average over a radius around it, which is larger if there is noise. `average`: over
+// `normal_radius`
+inline Padded_vectors average_normals(const Indexed_surface& surface, const Surface_average& average, Execution& execution)
 {
   Padded_vectors of_faces(surface.number_of_faces());
   for_each_number(of_faces.size(), execution.is_parallel(),
                   [&](Indexed_surface::Index f) { of_faces[f] = unit_normal(surface, f); });
-  const auto average = [&](double radius)
+  const auto averaged = [&](double radius)
   {
     Padded_vectors normals = of_faces;
-    Multilevel_diffusion(radius, execution)(graph, centre, normals);
+    average(normals, radius);
     normalize(normals, execution.is_parallel());
     return normals;
   };
-  const Padded_vectors normals = average(normal_radius);
+  const Padded_vectors normals = averaged(normal_radius);
   const double edge_length = 1 / std::sqrt(double(surface.number_of_vertices())), noise = noise_of_vertices(surface, normals);
   const double radius = radius_against_noise(noise, edge_length);
-  return radius > normal_radius ? average(radius) : normals;
+  return radius > normal_radius ? averaged(radius) : normals;
 }
 
 } // namespace CGAL::Protrusion_segmentation::internal

@@ -7,18 +7,13 @@
 
 #include <CGAL/Protrusion_segmentation/Execution.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Dual_graph.h>
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarsen_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/conductance.h>
-
-#include <CGAL/number_utils.h>
 
 #include <Eigen/Core>
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
-#include <optional>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
@@ -167,90 +162,6 @@ private:
   std::vector<float> m_diagonal;
   std::vector<float> m_weights; // of every arc
   Values m_residual, m_direction, m_product;
-};
-
-// Averages vectors over about a radius on the surface. Where faces are small for the radius that is done on groups of
-// about four nodes first, and so on, and the steps between groups are smoothed away: the time for a face does not grow
-// with their number.
-class Multilevel_diffusion
-{
-public:
-  using Index = Dual_graph::Index;
-  using Values = Diffusion::Values;
-
-  Multilevel_diffusion(double radius, Execution& execution) : m_radius(radius), m_execution(execution) {}
-
-  // Diffusion for a time t has the variance 4 t, the mean over a disc half the square of its radius.
-  void operator()(const Dual_graph& graph, const Centres& centre, Values& values) const
-  {
-    diffuse(graph, centre, 1, CGAL::square(m_radius) / 8, values);
-  }
-
-private:
-  // Groups are no larger than that share of the radius.
-  static constexpr double largest_group = 1. / 6;
-
-  // `scale`: of the conductances, see `energy()`
-  void diffuse(const Dual_graph& graph, const Centres& centre, double scale, double time, Values& values) const
-  {
-    const double least_number_of_groups = 1 / CGAL::square(largest_group * m_radius);
-    std::optional<double> time_between_groups;
-    if (graph.number_of_nodes() >= 2 * least_number_of_groups)
-      time_between_groups = diffuse_groups(
-        graph, centre, scale, time, static_cast<Index>((std::max)(graph.number_of_nodes() / 4., least_number_of_groups)), values);
-    if (!time_between_groups)
-      return diffuse_twice(graph, scale, time, values);
-    constexpr double tolerance = 1e-2;
-    Diffusion(graph, *time_between_groups, scale, m_execution.is_parallel())(values, tolerance, m_execution);
-  }
-
-  // Diffuses the means of about `number` groups; returns how long the steps between these are to be smoothed: over about
-  // the size of a group. Does nothing if the nodes do not come together, such as those around one that is large.
-  std::optional<double> diffuse_groups(const Dual_graph& graph, const Centres& centre, double scale, double time, Index number, Values& values) const
-  {
-    const Contracted<Dual_graph> groups = coarsen(graph, centre, graph.border_length, number, m_execution);
-    if (groups.graph.number_of_nodes() > graph.number_of_nodes() / 2)
-      return std::nullopt;
-    Values means = means_of_groups(graph, groups, values);
-    const double time_between_groups = 1. / groups.graph.number_of_nodes();
-    diffuse(groups.graph, groups.centre, scale * energy(graph) / energy(groups.graph), time - time_between_groups, means);
-    for_each_number(graph.number_of_nodes(), m_execution.is_parallel(), [&](Index i) { values[i] = means[groups.node[i]]; });
-    return time_between_groups;
-  }
-
-  void diffuse_twice(const Dual_graph& graph, double scale, double time, Values& values) const
-  {
-    constexpr int steps = 2; // which is nearer to a disc than one
-    constexpr double tolerance = 1e-4; // normals need no more
-    Diffusion diffusion(graph, time / steps, scale, m_execution.is_parallel());
-    for (int step = 0; step < steps; ++step)
-    {
-      m_execution.progress(static_cast<double>(step) / steps);
-      diffusion(values, tolerance, m_execution);
-    }
-  }
-
-  static Values means_of_groups(const Dual_graph& graph, const Contracted<Dual_graph>& groups, const Values& values)
-  {
-    Values means(groups.graph.number_of_nodes(), Padded_vector::Zero());
-    for (Index i = 0; i < graph.number_of_nodes(); ++i)
-    {
-      const Index group = groups.node[i];
-      if (const double area = groups.graph.area[group]; area > 0)
-        means[group] += static_cast<float>(graph.area[i] / area) * values[i];
-    }
-    return means;
-  }
-
-  // How much the position itself varies, by the Laplacian of the graph: twice the area, if borders are straight. Those
-  // of groups are ragged, and what flows through them is scaled down by that.
-  static double energy(const Dual_graph& graph)
-  {
-    return std::inner_product(graph.border_length.begin(), graph.border_length.end(), graph.length.begin(), 0.);
-  }
-
-  double m_radius;
-  Execution& m_execution;
 };
 
 } // namespace CGAL::Protrusion_segmentation::internal

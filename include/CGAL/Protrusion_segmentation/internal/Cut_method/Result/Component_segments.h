@@ -58,7 +58,7 @@ public:
     for (Index& label : m_labels) // still the node
       label = m_leaf_of_node[label];
     if (options.moves_borders_on_faces && set.segments.size() > 1)
-      move_borders(execution);
+      m_labels = Face_borders(graphs.fine, std::move(m_labels), number_of_segments())(execution);
     if (faces.divided)
       m_labels = Face_labeler(m_faces, faces.divided->face_of_piece, graphs.fine.area, m_labels)(number_of_segments());
     arrange();
@@ -99,24 +99,6 @@ private:
       both.insert(both.end(), m_leaves[cut->outer].begin(), m_leaves[cut->outer].end());
       m_leaves[cut->segment] = std::move(both);
     }
-  }
-
-  // Of a large surface on groups of faces first: on the faces, borders have a short way then.
-  void move_borders(Execution& execution)
-  {
-    if (m_graphs.groups)
-    {
-      const std::vector<Index>& group = m_graphs.group_of_face;
-      std::vector<Index> labels(m_graphs.groups->number_of_nodes());
-      for (Index f = 0; f < m_labels.size(); ++f)
-        labels[group[f]] = m_labels[f];
-      labels = Face_borders(*m_graphs.groups, std::move(labels), number_of_segments())(band_of_clusters,
-                                                                                       execution);
-      for (Index f = 0; f < m_labels.size(); ++f)
-        m_labels[f] = labels[group[f]];
-    }
-    m_labels = Face_borders(m_graphs.fine, std::move(m_labels), number_of_segments())(
-      m_graphs.groups ? band_of_groups : band_of_clusters, execution);
   }
 
   // Gives the leaves their final numbers.

@@ -9,7 +9,8 @@
 #include "dual_graphs.h"
 #include "test_meshes.h"
 
-#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/coarsen_graph.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Disk_clusters.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/contract_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/measure_coarse_graph.h>
 
 #include <vector>
@@ -17,12 +18,21 @@
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
 
-void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_of_nodes)
+using Contracted = internal::Contracted<Seam_graph>;
+
+// To disks of a radius.
+Contracted contracted(const Indexed_surface& surface, const Seam_graph& fine, double radius, bool is_parallel = false)
+{
+  const Centres centre = centres(surface);
+  return internal::contract(fine, centre, internal::Disk_clusters(fine, centre, radius)(fine.number_of_nodes(), quiet_execution()),
+                            is_parallel);
+}
+
+void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, double radius)
 {
   const Indexed_surface surface = to_surface(mesh);
   const Seam_graph fine = seam_graph(surface);
-  const internal::Contracted<Seam_graph> coarse = internal::coarsen(fine, centres(surface), fine.capacity,
-                                                                    number_of_nodes, quiet_execution());
+  const Contracted coarse = contracted(surface, fine, radius);
   const Index n = coarse.graph.number_of_nodes();
   CGAL_CHECK(n <= fine.number_of_nodes());
   check_symmetry(coarse.graph);
@@ -64,25 +74,13 @@ void coarse_nodes_are_connected_and_add_up(const Test_mesh& mesh, Index number_o
   CGAL_CHECK_EQUAL(reached, fine.number_of_nodes());
 }
 
-// Faces of a strip that are next to each other lie far from each other in the order of the faces.
-void a_strip_as_narrow_as_a_face_is_coarsened()
-{
-  const Indexed_surface surface = to_surface(thin_strip(10000, 1e-4));
-  const Seam_graph strip = seam_graph(surface);
-  for (const Index number : {Index(6000), Index(500)})
-    CGAL_CHECK(internal::coarsen(strip, centres(surface), strip.capacity, number, quiet_execution())
-            .graph.number_of_nodes() < 1.1 * number);
-}
-
 // Threads only save time: all nodes and weights are the same to the last bit.
 void the_number_of_threads_does_not_matter()
 {
 #ifdef CGAL_LINKED_WITH_TBB
   const Indexed_surface surface = to_surface(jittered(icosphere(6), 0.001, 5));
   const Seam_graph fine = seam_graph(surface);
-  Execution parallel(0, true);
-  const auto expected = internal::coarsen(fine, centres(surface), fine.capacity, 2000, quiet_execution());
-  const auto found = internal::coarsen(fine, centres(surface), fine.capacity, 2000, parallel);
+  const Contracted expected = contracted(surface, fine, 0.02), found = contracted(surface, fine, 0.02, true);
   CGAL_CHECK(found.node == expected.node && found.centre == expected.centre);
   CGAL_CHECK(found.graph.first_arc == expected.graph.first_arc && found.graph.target == expected.graph.target);
   CGAL_CHECK(found.graph.length == expected.graph.length && found.graph.area == expected.graph.area);
@@ -105,13 +103,12 @@ void the_number_of_threads_does_not_matter()
 
 int main()
 {
-  a_strip_as_narrow_as_a_face_is_coarsened();
   the_number_of_threads_does_not_matter();
-  coarse_nodes_are_connected_and_add_up(star(4), 300);
-  coarse_nodes_are_connected_and_add_up(sheet(20, 30), 50);
-  coarse_nodes_are_connected_and_add_up(icosahedron(), 2000);
-  coarse_nodes_are_connected_and_add_up(merged({torus(), icosphere(3)}), 100);
+  coarse_nodes_are_connected_and_add_up(star(4), 0.06);
+  coarse_nodes_are_connected_and_add_up(sheet(20, 30), 0.1);
+  coarse_nodes_are_connected_and_add_up(icosahedron(), 0.02);
+  coarse_nodes_are_connected_and_add_up(merged({torus(), icosphere(3)}), 0.1);
   for (unsigned int seed = 0; seed < 20; ++seed)
-    coarse_nodes_are_connected_and_add_up(random_surface(seed), 10);
+    coarse_nodes_are_connected_and_add_up(random_surface(seed), 0.3);
   return check::result();
 }
