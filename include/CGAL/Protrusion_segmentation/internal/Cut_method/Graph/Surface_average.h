@@ -14,10 +14,11 @@
 
 #include <CGAL/number_utils.h>
 
-#include <cstddef>
+#include <algorithm>
 #include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
 
@@ -62,7 +63,7 @@ public:
   }
 
 private:
-  static constexpr double radius_of_disks = 1. / 9; // relative to the radius of averaging
+  static constexpr double radius_of_disks = 1. / 9; // relative to the radius of averaging; with 1/6 borders are less exact
 
   // None if faces, or disks, are not much smaller.
   std::optional<Contracted<Dual_graph>> disks_of(const Dual_graph& graph, const Centres& centre) const
@@ -106,7 +107,7 @@ private:
   // Of the disk of a face and its neighbours, nearer ones with more weight.
   Padded_vector mean_around(Index face, const Values& means) const
   {
-    constexpr double reach = 1.75; // in radii of disks
+    constexpr double reach = 1.75; // in radii of disks; with 2.5 borders are less exact
     const auto& [graph, centre, node] = *m_disks;
     const Indexed_surface::Point_3 place = point(m_centre[face]);
     Padded_vector sum = Padded_vector::Zero();
@@ -118,7 +119,7 @@ private:
       sum += weight * means[disk];
       weights += weight;
     };
-    constexpr double of_own_disk = 1e-6; // also where its faces are larger
+    constexpr double of_own_disk = 1e-6; // so that there is some weight even if its faces are larger
     add(node[face], of_own_disk);
     for (Index arc : graph.arcs(node[face]))
       add(graph.target[arc], 0);
