@@ -28,7 +28,7 @@ void normals_of_a_sphere_point_outward()
   const auto graph = seam_graph(surface);
   const auto centre = centres(surface);
   const CGAL::Protrusion_segmentation::internal::Surface_average average(
-    graph, centre, CGAL::Protrusion_segmentation::internal::normal_radius, quiet_execution());
+    graph, centre, CGAL::Protrusion_segmentation::internal::normal_radius / 9, quiet_execution());
   const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(surface, average, quiet_execution());
   for (Index f = 0; f < surface.number_of_faces(); ++f)
   {
@@ -64,13 +64,13 @@ void a_roof_falls_towards_the_border()
     const auto graph = seam_graph(surface);
     const auto centre = centres(surface);
     const CGAL::Protrusion_segmentation::internal::Surface_average average(
-      graph, centre, CGAL::Protrusion_segmentation::internal::normal_radius, quiet_execution());
-    const CGAL::Protrusion_segmentation::internal::Surface_average average_for_outline(
-      average, CGAL::Protrusion_segmentation::internal::outline_radius);
+      graph, centre, CGAL::Protrusion_segmentation::internal::normal_radius / 9, quiet_execution());
+    const CGAL::Protrusion_segmentation::internal::Surface_average coarse_average(
+      average, CGAL::Protrusion_segmentation::internal::outline_radius / 6);
     const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(surface, average, quiet_execution());
     const CGAL::Protrusion_segmentation::internal::Border_edges border(surface);
     const auto roof =
-      CGAL::Protrusion_segmentation::internal::Border_roof(surface, border, quiet_execution())(normals, average_for_outline);
+      CGAL::Protrusion_segmentation::internal::Border_roof(surface, border, quiet_execution())(normals, coarse_average);
     for (Index f = 0; f < surface.number_of_faces(); ++f)
     {
       const double height = surface.centroid(f).z();

@@ -29,7 +29,7 @@ Padded_vectors normals(const Indexed_surface& surface)
 {
   const auto graph = seam_graph(surface);
   const auto centre = centres(surface);
-  return average_normals(surface, Surface_average(graph, centre, normal_radius, quiet_execution()), quiet_execution());
+  return average_normals(surface, Surface_average(graph, centre, normal_radius / 9, quiet_execution()), quiet_execution());
 }
 
 // In units of the mesh.

@@ -62,13 +62,13 @@ void disks_average_like_faces()
   const Indexed_surface surface = to_surface(jittered(icosphere(6), 0.001, 3));
   const Seam_graph graph = seam_graph(surface);
   const Centres centre = centres(surface);
-  const Surface_average finer(graph, centre, 0.1, quiet_execution());
+  const Surface_average finer(graph, centre, 0.1 / 9, quiet_execution());
   for (const double radius : {0.1, 0.2, 0.3})
   {
     const Padded_vectors expected = average_without_disks(graph, values_of(surface), radius);
     Padded_vectors by_disks = values_of(surface), by_disks_of_disks = by_disks, by_finer_disks = by_disks;
-    Surface_average(graph, centre, radius, quiet_execution())(by_disks);
-    Surface_average(finer, radius)(by_disks_of_disks);
+    Surface_average(graph, centre, radius / 9, quiet_execution())(by_disks, radius);
+    Surface_average(finer, radius / 9)(by_disks_of_disks, radius);
     finer(by_finer_disks, radius);
     for (const Padded_vectors* found : {&by_disks, &by_disks_of_disks, &by_finer_disks})
       check_average(graph, *found, expected);
@@ -82,7 +82,7 @@ void large_faces_make_no_disks()
   const Seam_graph graph = seam_graph(surface);
   const Centres centre = centres(surface);
   Padded_vectors values = values_of(surface);
-  Surface_average(graph, centre, 0.1, quiet_execution())(values);
+  Surface_average(graph, centre, 0.1 / 9, quiet_execution())(values, 0.1);
   check_average(graph, values, average_without_disks(graph, values_of(surface), 0.1));
 }
 

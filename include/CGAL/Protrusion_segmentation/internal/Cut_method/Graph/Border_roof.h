@@ -35,12 +35,11 @@ public:
     : m_surface(surface), m_border(border), m_execution(execution)
   {}
 
-  // For each face the direction in which the roof falls, along the surface, as long as its slope. `normals`: the averaged ones;
-  // `average`: over `outline_radius`
+  // For each face the direction in which the roof falls, along the surface, as long as its slope. `normals`: the averaged ones
   Padded_vectors operator()(const Padded_vectors& normals, const Surface_average& average) const
   {
     Padded_vectors directions = directions_at_border(normals);
-    average(directions);
+    average(directions, outline_radius);
     for (std::size_t f = 0; f < normals.size(); ++f)
     {
       const Vector_3 normal = unpadded(normals[f]), direction = unpadded(directions[f]);

@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
@@ -128,8 +129,9 @@ private:
       push_source(m_seeds[s]);
       result.of_node[m_seeds[s]] = s;
     }
-    std::vector<Index> before(m_graph.number_of_nodes()); // on the shortest path to a node
+    std::vector<Index> before(m_graph.number_of_nodes(), 0); // on the shortest path to a node
     spread([this](Index arc) { return m_graph.seam_length(arc); }, infinity, [&](Index from, Index to) { before[to] = from; });
+    choose_equal_paths(before);
     std::vector<Index> path;
     for (Index node = 0; node < before.size(); ++node)
     {
@@ -141,6 +143,19 @@ private:
       path.clear();
     }
     return result;
+  }
+
+  // Of equally short paths to a node, that over the nearest and lowest one: on a regular mesh there are many, and symmetric parts shall
+  // have the same clusters.
+  void choose_equal_paths(std::vector<Index>& before) const
+  {
+    const auto rank = [this](Index i) { return std::make_pair(m_distances[i], i); };
+    for (Index from = 0; from < before.size(); ++from)
+      for (Index arc : m_graph.arcs(from))
+        if (const Index to = m_graph.target[arc];
+            m_distances[from] < m_distances[to] && m_distances[from] + m_graph.seam_length(arc) == m_distances[to] &&
+            rank(from) < rank(before[to]))
+          before[to] = from;
   }
 
   void push_source(Index node)

@@ -28,8 +28,8 @@ struct Graphs_of_surface
   using Index = Dual_graph::Index;
 
   Seam_graph fine;
-  Volume_graph coarse;              // of some 1,400 nodes, which do not straddle seams
-  std::vector<Index> node_of_face;  // of the coarse graph
+  Volume_graph coarse;             // of 1,400 to 1,800 nodes, which do not straddle seams
+  std::vector<Index> node_of_face; // of the coarse graph
 
   Graphs_of_surface(const Indexed_surface& surface, const Cut_options& options, Execution& execution)
   {
@@ -53,7 +53,7 @@ private:
   // A graph of as few nodes is its own coarse graph; of a larger one disks are made, about as many. The structure of a shape of
   // up to some dozen parts shows in them; with more, details come to the fore.
   static constexpr Index largest_coarse_graph = 2000;
-  // In units of the square root of the area: some 1,400 disks. From .018 to .026 errors are the same within chance.
+  // In units of the square root of the area: 1,400 to 1,800 disks. From .018 to .026 errors are the same within chance.
   static constexpr double radius_of_disks = 0.026;
 
   // The clusters of the nodes of a graph: itself if it is small.

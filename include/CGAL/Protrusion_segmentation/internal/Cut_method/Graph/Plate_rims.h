@@ -6,6 +6,7 @@
 #define CGAL_PROTRUSION_SEGMENTATION_INTERNAL_CUT_METHOD_GRAPH_PLATE_RIMS_H
 
 #include <CGAL/Protrusion_segmentation/Indexed_surface.h>
+#include <CGAL/Protrusion_segmentation/internal/Cut_method/Cut_options.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Surface_average.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/diffusion.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/connected_faces.h>
@@ -29,15 +30,15 @@ public:
   // The surface must outlive the object.
   explicit Plate_rims(const Indexed_surface& surface) : m_surface(surface) {}
 
-  // For each face whether it lies on a rim; nothing if none does. `average`: over `outline_radius`
+  // For each face whether it lies on a rim; nothing if none does.
   std::vector<bool> operator()(const Surface_average& average) const
   {
     Normal_moments moments(m_surface.number_of_faces());
     for (Index f = 0; f < m_surface.number_of_faces(); ++f)
       moments.set(f, unit_normal(m_surface, f));
-    average(moments.means);
-    average(moments.squares);
-    average(moments.products);
+    average(moments.means, outline_radius);
+    average(moments.squares, outline_radius);
+    average(moments.products, outline_radius);
     const auto faces_on_edges = [&](double share)
     {
       std::vector<bool> result(m_surface.number_of_faces());

@@ -78,13 +78,14 @@ public:
   {
     const Border_edges border(m_surface);
     graph.outward = signed_volume(m_surface, border, m_execution.is_parallel()) < 0 ? -1 : 1;
-    const Surface_average average(graph, centre, normal_radius, m_execution), average_for_outline(average, outline_radius);
+    // with disks of .005 borders on large meshes are less exact
+    const Surface_average average(graph, centre, normal_radius / 9, m_execution), coarse_average(average, outline_radius / 6);
     const Padded_vectors normals = average_normals(m_surface, average, m_execution);
-    const std::vector<bool> is_rim = Plate_rims(m_surface)(average_for_outline);
+    const std::vector<bool> is_rim = Plate_rims(m_surface)(coarse_average);
     const Border_edges outline(m_surface, is_rim);
     Padded_vectors roof; // of a surface that is open or has rims
     if (!outline().empty())
-      roof = Border_roof(m_surface, outline, m_execution)(normals, average_for_outline);
+      roof = Border_roof(m_surface, outline, m_execution)(normals, coarse_average);
     const auto has_roof = [&](Index f) { return !roof.empty() && (is_rim.empty() || !is_rim[f]); };
     graph.curvature.resize(graph.target.size());
     graph.capacity.resize(graph.target.size());

@@ -22,21 +22,22 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// Averages vectors of the faces over about a radius on the surface, by diffusion. Where faces are small for the radius, the means of
-// disks are diffused in their place, and each face gets a mean of the disks around it.
+// Averages vectors of the faces over about a radius on the surface, by diffusion. Where faces are small, the means of disks are
+// diffused in their place, and each face gets a mean of the disks around it.
 class Surface_average
 {
 public:
   using Index = Dual_graph::Index;
   using Values = Diffusion::Values;
 
-  // Lengths are in units of the square root of the area. The arguments must outlive the object.
-  Surface_average(const Dual_graph& faces, const Centres& centre, double radius, Execution& execution)
-    : m_faces(faces), m_centre(centre), m_radius(radius), m_execution(execution), m_disks(disks_of(faces, centre))
+  // `radius_of_disks`: a sixth of the radius to average over, or less, in units of the square root of the area. The arguments must
+  // outlive the object.
+  Surface_average(const Dual_graph& faces, const Centres& centre, double radius_of_disks, Execution& execution)
+    : m_faces(faces), m_centre(centre), m_radius_of_disks(radius_of_disks), m_execution(execution), m_disks(disks_of(faces, centre))
   {}
-  // Over a larger radius, with disks of disks.
-  Surface_average(const Surface_average& finer, double radius)
-    : m_faces(finer.m_faces), m_centre(finer.m_centre), m_radius(radius), m_execution(finer.m_execution)
+  // With larger disks, made of those of the other.
+  Surface_average(const Surface_average& finer, double radius_of_disks)
+    : m_faces(finer.m_faces), m_centre(finer.m_centre), m_radius_of_disks(radius_of_disks), m_execution(finer.m_execution)
   {
     if (!finer.m_disks)
       m_disks = disks_of(m_faces, m_centre);
@@ -50,9 +51,6 @@ public:
       m_disks = finer.m_disks;
   }
 
-  void operator()(Values& values) const { (*this)(values, m_radius); }
-
-  // Over another radius, not less than that of the object.
   void operator()(Values& values, double radius) const
   {
     if (!m_disks)
@@ -63,16 +61,13 @@ public:
   }
 
 private:
-  static constexpr double radius_of_disks = 1. / 9; // relative to the radius of averaging; with 1/6 borders are less exact
-
   // None if faces, or disks, are not much smaller.
   std::optional<Contracted<Dual_graph>> disks_of(const Dual_graph& graph, const Centres& centre) const
   {
-    const double radius = radius_of_disks * m_radius;
     const Index n = graph.number_of_nodes();
-    if (n < 2 / CGAL::square(radius))
+    if (n < 2 / CGAL::square(m_radius_of_disks))
       return std::nullopt;
-    Clusters disks = Disk_clusters(graph, centre, radius)(n, m_execution);
+    Clusters disks = Disk_clusters(graph, centre, m_radius_of_disks)(n, m_execution);
     if (disks.number > n / 2) // around few large faces
       return std::nullopt;
     return contract(graph, centre, std::move(disks), m_execution.is_parallel());
@@ -114,7 +109,7 @@ private:
     float weights = 0;
     const auto add = [&](Index disk, double least_weight)
     {
-      const double distance = (point(centre[disk]) - place).squared_length() / CGAL::square(reach * radius_of_disks * m_radius);
+      const double distance = (point(centre[disk]) - place).squared_length() / CGAL::square(reach * m_radius_of_disks);
       const float weight = static_cast<float>(CGAL::square((std::max)(0., 1 - distance)) + least_weight);
       sum += weight * means[disk];
       weights += weight;
@@ -135,7 +130,7 @@ private:
 
   const Dual_graph& m_faces;
   const Centres& m_centre;
-  double m_radius;
+  double m_radius_of_disks;
   Execution& m_execution;
   std::optional<Contracted<Dual_graph>> m_disks; // of the faces, if these are many
 };

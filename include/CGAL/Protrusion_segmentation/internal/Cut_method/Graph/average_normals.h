@@ -40,8 +40,7 @@ inline double radius_against_noise(double noise, double edge_length)
   return std::clamp(factor * std::cbrt(noise * edge_length), normal_radius, largest_radius);
 }
 
-// The unit normals of the faces, each the average over a radius around it, which is larger if there is noise. `average`: over
-// `normal_radius`
+// The unit normals of the faces, each the average over a radius around it, which is larger if there is noise.
 inline Padded_vectors average_normals(const Indexed_surface& surface, const Surface_average& average, Execution& execution)
 {
   Padded_vectors of_faces(surface.number_of_faces());
