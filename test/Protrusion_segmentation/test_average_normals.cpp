@@ -66,7 +66,7 @@ void a_roof_falls_towards_the_border()
     const CGAL::Protrusion_segmentation::internal::Surface_average average(
       graph, centre, CGAL::Protrusion_segmentation::internal::normal_radius / 9, quiet_execution());
     const CGAL::Protrusion_segmentation::internal::Surface_average coarse_average(
-      average, CGAL::Protrusion_segmentation::internal::outline_radius / 6);
+      average, CGAL::Protrusion_segmentation::internal::outline_radius / 7);
     const auto normals = CGAL::Protrusion_segmentation::internal::average_normals(surface, average, quiet_execution());
     const CGAL::Protrusion_segmentation::internal::Border_edges border(surface);
     const auto roof =

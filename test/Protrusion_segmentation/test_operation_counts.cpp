@@ -61,8 +61,8 @@ void count_minimum_cuts(const std::string& mesh, const Indexed_surface& surface,
 {
   Step_counter counter;
   Execution execution(counter, 0, false);
-  seam_graph(surface, execution);
-  counts[mesh + " cut iterations_of_diffusion"] = counter.steps;
+  seam_graph(surface, execution); // iterations of diffusion and disks
+  counts[mesh + " cut steps_of_seams"] = counter.steps;
   const internal::Cut_options options;
   const std::optional<internal::Any_distance> distance;
   internal::Component component(surface, distance, options, quiet_execution());

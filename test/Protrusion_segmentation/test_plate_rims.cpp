@@ -46,7 +46,7 @@ std::vector<bool> rims(const Test_mesh& mesh)
   const auto graph = seam_graph(surface);
   const auto centre = centres(surface);
   return CGAL::Protrusion_segmentation::internal::Plate_rims(surface)(CGAL::Protrusion_segmentation::internal::Surface_average(
-    graph, centre, CGAL::Protrusion_segmentation::internal::outline_radius / 6, quiet_execution()));
+    graph, centre, CGAL::Protrusion_segmentation::internal::outline_radius / 7, quiet_execution()));
 }
 
 // The walls and nothing else, wherever the plate is, of few and many triangles; of narrow arms not all.

@@ -78,8 +78,8 @@ public:
   {
     const Border_edges border(m_surface);
     graph.outward = signed_volume(m_surface, border, m_execution.is_parallel()) < 0 ? -1 : 1;
-    // with disks of .005 borders on large meshes are less exact
-    const Surface_average average(graph, centre, normal_radius / 9, m_execution), coarse_average(average, outline_radius / 6);
+    // with disks of a sixth of the radius borders on large meshes are less exact, and a plate of the tests has a part too many
+    const Surface_average average(graph, centre, normal_radius / 9, m_execution), coarse_average(average, outline_radius / 7);
     const Padded_vectors normals = average_normals(m_surface, average, m_execution);
     const std::vector<bool> is_rim = Plate_rims(m_surface)(coarse_average);
     const Border_edges outline(m_surface, is_rim);

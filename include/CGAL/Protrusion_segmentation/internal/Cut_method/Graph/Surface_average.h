@@ -30,7 +30,7 @@ public:
   using Index = Dual_graph::Index;
   using Values = Diffusion::Values;
 
-  // `radius_of_disks`: a sixth of the radius to average over, or less, in units of the square root of the area. The arguments must
+  // `radius_of_disks`: a seventh of the radius to average over, or less, in units of the square root of the area. The arguments must
   // outlive the object.
   Surface_average(const Dual_graph& faces, const Centres& centre, double radius_of_disks, Execution& execution)
     : m_faces(faces), m_centre(centre), m_radius_of_disks(radius_of_disks), m_execution(execution), m_disks(disks_of(faces, centre))
