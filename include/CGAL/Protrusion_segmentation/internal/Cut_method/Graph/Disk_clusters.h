@@ -10,12 +10,14 @@
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/Graph_distances.h>
 #include <CGAL/Protrusion_segmentation/internal/Cut_method/Graph/contract_graph.h>
 #include <CGAL/Protrusion_segmentation/internal/Distances/Bucket_ring.h>
+#include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <tuple>
 #include <utility>
@@ -45,7 +47,7 @@ public:
   Clusters operator()(Index largest_number, Execution& execution)
   {
     constexpr double growth = 1.25;
-    sort_nodes_by_priority();
+    sort_nodes_by_priority(execution.is_parallel());
     for (double radius = m_radius; !select_seeds(radius, largest_number, execution);)
       radius *= growth;
     return clusters();
@@ -64,12 +66,11 @@ private:
     }
   };
 
-  void sort_nodes_by_priority()
+  void sort_nodes_by_priority(bool is_parallel)
   {
-    m_places.reserve(m_graph.number_of_nodes());
-    for (Index i = 0; i < m_graph.number_of_nodes(); ++i)
-      m_places.push_back(place(i));
-    std::sort(m_places.begin(), m_places.end());
+    m_places.resize(m_graph.number_of_nodes());
+    for_each_number(m_places.size(), is_parallel, [&](Index i) { m_places[i] = place(i); });
+    sort_different(m_places, is_parallel, std::less<>());
   }
 
   Place place(Index node) const
