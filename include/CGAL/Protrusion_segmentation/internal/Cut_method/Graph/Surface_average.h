@@ -103,21 +103,21 @@ private:
   Padded_vector mean_around(Index face, const Values& means) const
   {
     constexpr double reach = 1.75; // in radii of disks; with 2.5 borders are less exact
-    const auto& [graph, centre, node] = *m_disks;
+    const Contracted<Dual_graph>& disks = *m_disks;
     const Indexed_surface::Point_3 place = point(m_centre[face]);
     Padded_vector sum = Padded_vector::Zero();
     float weights = 0;
     const auto add = [&](Index disk, double least_weight)
     {
-      const double distance = (point(centre[disk]) - place).squared_length() / CGAL::square(reach * m_radius_of_disks);
+      const double distance = (point(disks.centre[disk]) - place).squared_length() / CGAL::square(reach * m_radius_of_disks);
       const float weight = static_cast<float>(CGAL::square((std::max)(0., 1 - distance)) + least_weight);
       sum += weight * means[disk];
       weights += weight;
     };
     constexpr double of_own_disk = 1e-6; // so that there is some weight even if its faces are larger
-    add(node[face], of_own_disk);
-    for (Index arc : graph.arcs(node[face]))
-      add(graph.target[arc], 0);
+    add(disks.node[face], of_own_disk);
+    for (Index arc : disks.graph.arcs(disks.node[face]))
+      add(disks.graph.target[arc], 0);
     return sum / weights;
   }
 
