@@ -10,7 +10,7 @@
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/conductance.h>
 
-#include <Eigen/Core>
+#include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -18,35 +18,34 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// A vector and a zero: four numbers, which a processor adds at once.
-using Padded_vector = Eigen::Array4f;
-using Padded_vectors = std::vector<Padded_vector>; // of every node
+// In single precision, which takes half the memory.
+using Average_vector = Simple_cartesian<float>::Vector_3;
+using Average_vectors = std::vector<Average_vector>; // of every node
 
-inline Padded_vector padded(const Indexed_surface::Vector_3& v)
+inline Average_vector single_precision(const Indexed_surface::Vector_3& v)
 {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), 0};
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
-inline Indexed_surface::Vector_3 unpadded(const Padded_vector& v) { return {v[0], v[1], v[2]}; }
+inline Indexed_surface::Vector_3 double_precision(const Average_vector& v) { return {v.x(), v.y(), v.z()}; }
 
 // Zero of a face without area.
-inline Padded_vector unit_normal(const Indexed_surface& surface, Indexed_surface::Index f)
+inline Average_vector unit_normal(const Indexed_surface& surface, Indexed_surface::Index f)
 {
   const double area = surface.area(f);
-  return area > 0 ? padded(surface.area_vector(f) / area) : Padded_vector::Zero();
+  return area > 0 ? single_precision(surface.area_vector(f) / area) : Average_vector(0, 0, 0);
 }
 
-// Diffuses vectors on the nodes of a dual graph: solves (M + time * L) x = M x_0 for each coordinate, where M holds the
-// areas and L is the finite-volume Laplacian, by conjugate gradients with a diagonal preconditioner. That takes about
-// sqrt(time * number of nodes) iterations, each linear.
+// Diffuses vectors on the nodes of a dual graph: solves (M + time * L) x = M x_0, where M holds the areas and L is the finite-volume
+// Laplacian, by conjugate gradients with a diagonal preconditioner. That takes about sqrt(time * number of nodes) iterations, each
+// linear. The coordinates are one system: an iteration waits for memory more than it computes.
 //
-// The three systems are solved side by side, since an iteration waits for memory more than it computes. Sums are added
-// in blocks, so that they are rounded alike with any number of threads.
+// Sums are added in blocks, so that they are rounded alike with any number of threads.
 class Diffusion
 {
 public:
   using Index = Dual_graph::Index;
-  using Values = Padded_vectors;
+  using Values = Average_vectors;
 
   // `scale`: of the conductances
   Diffusion(const Dual_graph& graph, double time, double scale = 1, bool is_parallel = false)
@@ -74,86 +73,76 @@ public:
   void operator()(Values& x, double tolerance, Execution& execution)
   {
     constexpr int maximum_number_of_iterations = 200; // some ten to thirty are usual
-    const Sums right_hand_side = start(x);
-    Sums rho = advance(Padded_vector::Zero(), x);
-    const auto is_solved = [&](Eigen::Index i) { return !(rho[i] > tolerance * tolerance * right_hand_side[i]); };
-    for (int iteration = 0; iteration < maximum_number_of_iterations; ++iteration)
+    const double right_hand_side = start(x);
+    double rho = advance(0, x);
+    for (int i = 0; i < maximum_number_of_iterations && rho > tolerance * tolerance * right_hand_side; ++i)
     {
       execution.check();
-      if (is_solved(0) && is_solved(1) && is_solved(2))
-        return;
-      const Sums curvature = multiply(m_direction, m_product);
-      Padded_vector step = Padded_vector::Zero(), share = step;
-      for (Eigen::Index i = 0; i < 3; ++i)
-        step[i] = is_solved(i) ? 0 : static_cast<float>(rho[i] / curvature[i]);
-      const Sums before = rho;
-      rho = advance(step, x);
-      for (Eigen::Index i = 0; i < 3; ++i)
-        share[i] = before[i] > 0 ? static_cast<float>(rho[i] / before[i]) : 0;
+      const double before = rho, curvature = multiply(m_direction, m_product);
+      rho = advance(static_cast<float>(rho / curvature), x);
+      const float share = static_cast<float>(rho / before);
       for_each_node([&](Index k) { m_direction[k] = m_residual[k] / m_diagonal[k] + share * m_direction[k]; });
     }
     // Faces differ more in size than single precision can resolve: the values are averaged well enough all the same.
   }
 
 private:
-  using Sums = Eigen::Array4d;
-
   template <typename Visit>
   void for_each_node(Visit visit) const
   {
     for_each_number(m_graph.number_of_nodes(), m_is_parallel, visit);
   }
 
-  // `add(sums, node)` adds the terms of a node.
-  template <typename Add>
-  Sums add_nodes(Add add) const
+  // The sum over the nodes.
+  template <typename Term>
+  double add_nodes(Term term) const
   {
-    return add_numbers(m_graph.number_of_nodes(), m_is_parallel, Sums(Sums::Zero()), add);
+    return add_numbers(m_graph.number_of_nodes(), m_is_parallel, 0., [&](double& sum, Index i) { sum += term(i); });
   }
 
   // a face without area still must not make the matrix singular
   double mass(Index i) const { return m_graph.area[i] + 1e-9 / m_graph.number_of_nodes(); }
 
-  // Residuals and first directions; returns the norms of the right hand sides.
-  Sums start(const Values& x)
+  // Residuals and first directions; returns the squared norm of the right hand side.
+  double start(const Values& x)
   {
     m_residual.resize(x.size());
     m_direction.resize(x.size());
     m_product.resize(x.size());
     multiply(x, m_product);
     return add_nodes(
-      [&](Sums& norms, Index k)
+      [&](Index k)
       {
-        const Sums b = mass(k) * x[k].cast<double>();
-        m_residual[k] = (b - m_product[k].cast<double>()).cast<float>();
+        const Average_vector b = static_cast<float>(mass(k)) * x[k];
+        m_residual[k] = b - m_product[k];
         m_direction[k] = m_residual[k] / m_diagonal[k];
-        norms += b * b / m_diagonal[k];
+        return double_precision(b).squared_length() / m_diagonal[k];
       });
   }
 
-  // Goes `step` along the direction; returns the norms of the new residuals.
-  Sums advance(const Padded_vector& step, Values& x)
+  // Goes `step` along the direction; returns the squared norm of the new residual.
+  double advance(float step, Values& x)
   {
     return add_nodes(
-      [&](Sums& sums, Index k)
+      [&](Index k)
       {
         x[k] += step * m_direction[k];
         m_residual[k] -= step * m_product[k];
-        sums += m_residual[k].cast<double>() * (m_residual[k] / m_diagonal[k]).cast<double>();
+        return double_precision(m_residual[k]).squared_length() / m_diagonal[k];
       });
   }
 
-  // Returns the scalar products of the values with the result.
-  Sums multiply(const Values& x, Values& result) const
+  // Returns the scalar product of the values with the result.
+  double multiply(const Values& x, Values& result) const
   {
     return add_nodes(
-      [&](Sums& sums, Index k)
+      [&](Index k)
       {
-        Padded_vector row = m_diagonal[k] * x[k];
+        Average_vector row = m_diagonal[k] * x[k];
         for (Index arc : m_graph.arcs(k))
           row -= m_weights[arc] * x[m_graph.target[arc]];
         result[k] = row;
-        sums += x[k].cast<double>() * row.cast<double>();
+        return double_precision(x[k]) * double_precision(row);
       });
   }
 
