@@ -25,7 +25,7 @@ namespace {
 
 using namespace CGAL::Protrusion_segmentation::internal;
 
-Average_vectors normals(const Indexed_surface& surface)
+Padded_vectors normals(const Indexed_surface& surface)
 {
   const auto graph = seam_graph(surface);
   const auto centre = centres(surface);
@@ -45,7 +45,7 @@ void heights_are_below_centroids_of_neighbors()
   for (const Test_mesh& mesh : {jittered(icosphere(2), 0.02, 3), jittered(torus(), 0.02, 4), jittered(sheet(5, 7), 0.2, 5)})
   {
     const Indexed_surface surface = to_surface(mesh);
-    const Average_vectors of_faces = normals(surface);
+    const Padded_vectors of_faces = normals(surface);
     const std::vector<double> heights = heights_below_neighbors(surface, of_faces);
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
     {

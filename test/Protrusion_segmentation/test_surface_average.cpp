@@ -17,11 +17,11 @@
 
 using namespace test_meshes;
 using namespace CGAL::Protrusion_segmentation;
-using internal::Average_vectors;
+using internal::Padded_vectors;
 using internal::Surface_average;
 
 // The same average, the long way.
-Average_vectors average_without_disks(const Seam_graph& graph, Average_vectors values, double radius)
+Padded_vectors average_without_disks(const Seam_graph& graph, Padded_vectors values, double radius)
 {
   internal::Diffusion diffuse(graph, radius * radius / 16);
   for (int step = 0; step < 2; ++step)
@@ -30,15 +30,15 @@ Average_vectors average_without_disks(const Seam_graph& graph, Average_vectors v
 }
 
 // A step, a wave and a constant.
-Average_vectors values_of(const Indexed_surface& surface)
+Padded_vectors values_of(const Indexed_surface& surface)
 {
-  Average_vectors values;
+  Padded_vectors values;
   for (Index f = 0; f < surface.number_of_faces(); ++f)
-    values.push_back({surface.centroid(f).z() > 0 ? 1.f : 0.f, float(std::sin(4 * surface.centroid(f).x())), 1.f});
+    values.push_back({{surface.centroid(f).z() > 0 ? 1.f : 0.f, float(std::sin(4 * surface.centroid(f).x())), 1.f, 0.f}});
   return values;
 }
 
-void check_average(const Seam_graph& graph, const Average_vectors& found, const Average_vectors& expected)
+void check_average(const Seam_graph& graph, const Padded_vectors& found, const Padded_vectors& expected)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -65,12 +65,12 @@ void disks_average_like_faces()
   const Surface_average finer(graph, centre, 0.1 / 9, quiet_execution());
   for (const double radius : {0.1, 0.2, 0.3})
   {
-    const Average_vectors expected = average_without_disks(graph, values_of(surface), radius);
-    Average_vectors by_disks = values_of(surface), by_disks_of_disks = by_disks, by_finer_disks = by_disks;
+    const Padded_vectors expected = average_without_disks(graph, values_of(surface), radius);
+    Padded_vectors by_disks = values_of(surface), by_disks_of_disks = by_disks, by_finer_disks = by_disks;
     Surface_average(graph, centre, radius / 9, quiet_execution())(by_disks, radius);
     Surface_average(finer, radius / 9)(by_disks_of_disks, radius);
     finer(by_finer_disks, radius);
-    for (const Average_vectors* found : {&by_disks, &by_disks_of_disks, &by_finer_disks})
+    for (const Padded_vectors* found : {&by_disks, &by_disks_of_disks, &by_finer_disks})
       check_average(graph, *found, expected);
   }
 }
@@ -81,7 +81,7 @@ void large_faces_make_no_disks()
   const Indexed_surface surface = to_surface(icosphere(1));
   const Seam_graph graph = seam_graph(surface);
   const Centres centre = centres(surface);
-  Average_vectors values = values_of(surface);
+  Padded_vectors values = values_of(surface);
   Surface_average(graph, centre, 0.1 / 9, quiet_execution())(values, 0.1);
   check_average(graph, values, average_without_disks(graph, values_of(surface), 0.1));
 }

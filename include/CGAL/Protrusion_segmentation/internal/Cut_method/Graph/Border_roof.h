@@ -36,15 +36,15 @@ public:
   {}
 
   // For each face the direction in which the roof falls, along the surface, as long as its slope. `normals`: the averaged ones
-  Average_vectors operator()(const Average_vectors& normals, const Surface_average& average) const
+  Padded_vectors operator()(const Padded_vectors& normals, const Surface_average& average) const
   {
-    Average_vectors directions = directions_at_border(normals);
+    Padded_vectors directions = directions_at_border(normals);
     average(directions, outline_radius);
     for (std::size_t f = 0; f < normals.size(); ++f)
     {
-      const Vector_3 normal = double_precision(normals[f]), direction = double_precision(directions[f]);
+      const Vector_3 normal = unpadded(normals[f]), direction = unpadded(directions[f]);
       const Vector_3 tangential = direction - (direction * normal) * normal; // it may have come around an edge
-      directions[f] = single_precision(steepness / (std::max)(1., std::sqrt(tangential.squared_length())) * tangential);
+      directions[f] = padded(steepness / (std::max)(1., std::sqrt(tangential.squared_length())) * tangential);
     }
     return directions;
   }
@@ -63,7 +63,7 @@ private:
   static constexpr double steepness = 2;
 
   // Outwards in the faces at the border. After diffusion over the radius a straight border has directions of length 4.
-  Average_vectors directions_at_border(const Average_vectors& normals) const
+  Padded_vectors directions_at_border(const Padded_vectors& normals) const
   {
     const double unit = unit_of_length(m_surface);
     const std::vector<Index> part = m_border.parts();
@@ -77,12 +77,12 @@ private:
                       if (lengths.at(part[i]) >= longest_hole * unit)
                         borders[i] = m_border.straight(i, straight_length * unit);
                     });
-    Average_vectors result(m_surface.number_of_faces(), Average_vector(0, 0, 0));
+    Padded_vectors result(m_surface.number_of_faces());
     for (std::size_t i = 0; i < borders.size(); ++i)
       if (const Index f = m_border()[i].face; m_surface.area(f) > 0)
       {
-        const Vector_3 outwards = cross_product(borders[i], double_precision(normals[f])) * (2 * outline_radius * unit / m_surface.area(f));
-        result[f] += single_precision(outwards);
+        const Vector_3 outwards = cross_product(borders[i], unpadded(normals[f])) * (2 * outline_radius * unit / m_surface.area(f));
+        result[f] += padded(outwards);
       }
     return result;
   }

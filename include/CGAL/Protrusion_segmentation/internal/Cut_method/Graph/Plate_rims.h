@@ -60,27 +60,31 @@ private:
   // The mean unit normals, and the mean products of their coordinates, which are the same for opposite normals.
   struct Normal_moments
   {
-    Average_vectors means, squares, products; // the latter xx, yy, zz and xy, yz, zx
+    Padded_vectors means, squares, products; // the latter xx, yy, zz and xy, yz, zx
 
     explicit Normal_moments(std::size_t number_of_faces)
       : means(number_of_faces), squares(number_of_faces), products(number_of_faces)
     {}
 
-    void set(std::size_t i, const Average_vector& n)
+    void set(std::size_t i, const Padded_vector& n)
     {
       means[i] = n;
-      squares[i] = {n.x() * n.x(), n.y() * n.y(), n.z() * n.z()};
-      products[i] = {n.x() * n.y(), n.y() * n.z(), n.z() * n.x()};
+      squares[i] = n * n;
+      products[i] = n * next(n);
     }
+    static Padded_vector next(const Padded_vector& n) { return {{n[1], n[2], n[0], 0}}; }
     // the mean squared cosine of the angle to a unit normal
-    double along(std::size_t i, const Average_vector& n) const
+    double along(std::size_t i, const Padded_vector& n) const
     {
       double sum = 0;
-      for (int k = 0; k < 3; ++k)
+      for (std::size_t k = 0; k < 3; ++k)
         sum += n[k] * (squares[i][k] * n[k] + 2 * products[i][k] * n[(k + 1) % 3]);
       return sum;
     }
-    double squared_mean(std::size_t i) const { return means[i].squared_length(); }
+    double squared_mean(std::size_t i) const
+    {
+      return CGAL::square(means[i][0]) + CGAL::square(means[i][1]) + CGAL::square(means[i][2]);
+    }
     double trace(std::size_t i) const { return squares[i][0] + squares[i][1] + squares[i][2]; }
     // Whether more than this share of the normals, at least one half, is along one direction. At most one eigenvalue of the products
     // is larger than the share; one is if and only if this determinant is positive.
@@ -95,7 +99,7 @@ private:
 
   // Whether a face looks sideways where more than this share of the normals is along one direction. In terrain nearly all are, too,
   // but they are not opposite to each other: their mean is long.
-  static bool is_on_edge(const Normal_moments& moments, Index i, const Average_vector& n, double share)
+  static bool is_on_edge(const Normal_moments& moments, Index i, const Padded_vector& n, double share)
   {
     constexpr double largest_share_sideways = 0.4, largest_squared_mean = 0.25;
     return moments.along(i, n) < largest_share_sideways * moments.trace(i) && moments.are_along_one(i, share) &&

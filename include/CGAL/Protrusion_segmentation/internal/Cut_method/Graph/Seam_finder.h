@@ -80,10 +80,10 @@ public:
     graph.outward = signed_volume(m_surface, border, m_execution.is_parallel()) < 0 ? -1 : 1;
     // with disks of a sixth of the radius borders on large meshes are less exact, and a plate of the tests has a part too many
     const Surface_average average(graph, centre, normal_radius / 9, m_execution), coarse_average(average, outline_radius / 7);
-    const Average_vectors normals = average_normals(m_surface, average, m_execution);
+    const Padded_vectors normals = average_normals(m_surface, average, m_execution);
     const std::vector<bool> is_rim = Plate_rims(m_surface)(coarse_average);
     const Border_edges outline(m_surface, is_rim);
-    Average_vectors roof; // of a surface that is open or has rims
+    Padded_vectors roof; // of a surface that is open or has rims
     if (!outline().empty())
       roof = Border_roof(m_surface, outline, m_execution)(normals, coarse_average);
     const auto has_roof = [&](Index f) { return !roof.empty() && (is_rim.empty() || !is_rim[f]); };
@@ -103,16 +103,16 @@ private:
   static constexpr double largest_curvature = 60; // beyond it, a radius of 1/60, is tessellation
 
   // Between the normals of two faces, positive where these lean towards each other.
-  double angle(Index f, Index g, const Average_vectors& normals) const
+  double angle(Index f, Index g, const Padded_vectors& normals) const
   {
-    const Indexed_surface::Vector_3 turn = double_precision(normals[g] - normals[f]);
+    const Indexed_surface::Vector_3 turn = unpadded(normals[g] - normals[f]);
     // by the chord: the cosine of a small angle is inaccurate
     const double size = 2 * std::asin((std::min)(1., std::sqrt(turn.squared_length()) / 2));
     return turn * (m_surface.centroid(g) - m_surface.centroid(f)) < 0 ? size : -size;
   }
 
   // Of an arc, positive where concave. Where two patches meet there is a seam, and less of one inside a patch.
-  double curvature(const Seam_graph& graph, Index f, Index arc, const Average_vectors& normals) const
+  double curvature(const Seam_graph& graph, Index f, Index arc, const Padded_vectors& normals) const
   {
     constexpr double curvature_between_patches = 15, share_in_patch = 0.5; // decisions.md, "Contacts"
     const Index g = graph.target[arc];
@@ -127,10 +127,10 @@ private:
 
   // The curvature of the roof across an arc where it falls from both faces towards each other, else 0: its ridges would hide folds of
   // the surface beside the ends of pipes.
-  double valley(const Seam_graph& graph, Index f, Index arc, const Average_vectors& roof) const
+  double valley(const Seam_graph& graph, Index f, Index arc, const Padded_vectors& roof) const
   {
     const Index g = graph.target[arc];
-    const Indexed_surface::Vector_3 turn = double_precision(roof[f] - roof[g]), step = m_surface.centroid(g) - m_surface.centroid(f);
+    const Indexed_surface::Vector_3 turn = unpadded(roof[f] - roof[g]), step = m_surface.centroid(g) - m_surface.centroid(f);
     const double length = std::sqrt(step.squared_length());
     const double curvature = length > 0 ? turn * step / length / graph.length[arc] : 0;
     return (std::max)(0., (std::min)(largest_curvature, curvature));

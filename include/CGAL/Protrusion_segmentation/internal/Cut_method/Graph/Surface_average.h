@@ -78,7 +78,7 @@ private:
   void diffuse(const Dual_graph& graph, double scale, double radius, Values& values) const
   {
     constexpr int steps = 2; // which is nearer to a disc than one
-    constexpr double tolerance = 1e-5;
+    constexpr double tolerance = 1e-4; // normals need no more
     Diffusion diffusion(graph, CGAL::square(radius) / 8 / steps, scale, m_execution.is_parallel());
     for (int step = 0; step < steps; ++step)
     {
@@ -89,7 +89,7 @@ private:
 
   Values means_of_disks(const Values& values) const
   {
-    Values means(m_disks->graph.number_of_nodes(), Average_vector(0, 0, 0));
+    Values means(m_disks->graph.number_of_nodes());
     for (Index f = 0; f < m_faces.number_of_nodes(); ++f)
     {
       const Index disk = m_disks->node[f];
@@ -100,12 +100,12 @@ private:
   }
 
   // Of the disk of a face and its neighbours, nearer ones with more weight.
-  Average_vector mean_around(Index face, const Values& means) const
+  Padded_vector mean_around(Index face, const Values& means) const
   {
     constexpr double reach = 1.75; // in radii of disks; with 2.5 borders are less exact
     const Contracted<Dual_graph>& disks = *m_disks;
     const Indexed_surface::Point_3 place = point(m_centre[face]);
-    Average_vector sum = Average_vector(0, 0, 0);
+    Padded_vector sum;
     float weights = 0;
     const auto add = [&](Index disk, double least_weight)
     {

@@ -20,14 +20,14 @@
 namespace CGAL::Protrusion_segmentation::internal {
 
 // Scales each vector to length 1; where it vanishes, it stays the zero vector.
-inline void normalize(Average_vectors& vectors, bool is_parallel)
+inline void normalize(Padded_vectors& vectors, bool is_parallel)
 {
   for_each_number(vectors.size(), is_parallel,
                   [&](std::size_t i)
                   {
-                    Average_vector& v = vectors[i];
-                    if (const float length = std::sqrt(v.squared_length()); length > 0)
-                      v /= length;
+                    Padded_vector& v = vectors[i];
+                    if (const float length = std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); length > 0)
+                      v = v / length;
                   });
 }
 
@@ -41,19 +41,19 @@ inline double radius_against_noise(double noise, double edge_length)
 }
 
 // The unit normals of the faces, each the average over a radius around it, which is larger if there is noise.
-inline Average_vectors average_normals(const Indexed_surface& surface, const Surface_average& average, Execution& execution)
+inline Padded_vectors average_normals(const Indexed_surface& surface, const Surface_average& average, Execution& execution)
 {
-  Average_vectors of_faces(surface.number_of_faces());
+  Padded_vectors of_faces(surface.number_of_faces());
   for_each_number(of_faces.size(), execution.is_parallel(),
                   [&](Indexed_surface::Index f) { of_faces[f] = unit_normal(surface, f); });
   const auto averaged = [&](double radius)
   {
-    Average_vectors normals = of_faces;
+    Padded_vectors normals = of_faces;
     average(normals, radius);
     normalize(normals, execution.is_parallel());
     return normals;
   };
-  const Average_vectors normals = averaged(normal_radius);
+  const Padded_vectors normals = averaged(normal_radius);
   const double edge_length = 1 / std::sqrt(double(surface.number_of_vertices())), noise = noise_of_vertices(surface, normals);
   const double radius = radius_against_noise(noise, edge_length);
   return radius > normal_radius ? averaged(radius) : normals;

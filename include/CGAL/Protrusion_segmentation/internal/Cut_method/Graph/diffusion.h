@@ -10,42 +10,75 @@
 #include <CGAL/Protrusion_segmentation/internal/Execution/for_each_block.h>
 #include <CGAL/Protrusion_segmentation/internal/Surface/conductance.h>
 
-#include <CGAL/Simple_cartesian.h>
-
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// In single precision, which takes half the memory.
-using Average_vector = Simple_cartesian<float>::Vector_3;
-using Average_vectors = std::vector<Average_vector>; // of every node
-
-inline Average_vector single_precision(const Indexed_surface::Vector_3& v)
+// A vector and a zero: four numbers, which a processor adds at once. Operators act on each number.
+template <typename Number>
+struct Four_numbers
 {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+  alignas(4 * sizeof(Number)) std::array<Number, 4> of = {0, 0, 0, 0};
+
+  Number& operator[](std::size_t i) { return of[i]; }
+  Number operator[](std::size_t i) const { return of[i]; }
+
+  template <typename Other>
+  Four_numbers<Other> as() const
+  {
+    return {{static_cast<Other>(of[0]), static_cast<Other>(of[1]), static_cast<Other>(of[2]), static_cast<Other>(of[3])}};
+  }
+  Four_numbers& operator+=(const Four_numbers& b) { return *this = *this + b; }
+  Four_numbers& operator-=(const Four_numbers& b) { return *this = *this - b; }
+  friend Four_numbers operator+(const Four_numbers& a, const Four_numbers& b) { return of_each(a, b, std::plus<>()); }
+  friend Four_numbers operator-(const Four_numbers& a, const Four_numbers& b) { return of_each(a, b, std::minus<>()); }
+  friend Four_numbers operator*(const Four_numbers& a, const Four_numbers& b) { return of_each(a, b, std::multiplies<>()); }
+  friend Four_numbers operator*(Number a, const Four_numbers& b) { return Four_numbers{{a, a, a, a}} * b; }
+  friend Four_numbers operator/(const Four_numbers& a, Number b) { return of_each(a, {{b, b, b, b}}, std::divides<>()); }
+
+private:
+  template <typename Operation>
+  static Four_numbers of_each(const Four_numbers& a, const Four_numbers& b, Operation operation)
+  {
+    Four_numbers result;
+    for (std::size_t i = 0; i < 4; ++i)
+      result.of[i] = operation(a.of[i], b.of[i]);
+    return result;
+  }
+};
+
+using Padded_vector = Four_numbers<float>;
+using Padded_vectors = std::vector<Padded_vector>; // of every node
+
+inline Padded_vector padded(const Indexed_surface::Vector_3& v)
+{
+  return {{static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z()), 0}};
 }
 
-inline Indexed_surface::Vector_3 double_precision(const Average_vector& v) { return {v.x(), v.y(), v.z()}; }
+inline Indexed_surface::Vector_3 unpadded(const Padded_vector& v) { return {v[0], v[1], v[2]}; }
 
 // Zero of a face without area.
-inline Average_vector unit_normal(const Indexed_surface& surface, Indexed_surface::Index f)
+inline Padded_vector unit_normal(const Indexed_surface& surface, Indexed_surface::Index f)
 {
   const double area = surface.area(f);
-  return area > 0 ? single_precision(surface.area_vector(f) / area) : Average_vector(0, 0, 0);
+  return area > 0 ? padded(surface.area_vector(f) / area) : Padded_vector();
 }
 
-// Diffuses vectors on the nodes of a dual graph: solves (M + time * L) x = M x_0, where M holds the areas and L is the finite-volume
-// Laplacian, by conjugate gradients with a diagonal preconditioner. That takes about sqrt(time * number of nodes) iterations, each
-// linear. The coordinates are one system: an iteration waits for memory more than it computes.
+// Diffuses vectors on the nodes of a dual graph: solves (M + time * L) x = M x_0 for each coordinate, where M holds the
+// areas and L is the finite-volume Laplacian, by conjugate gradients with a diagonal preconditioner. That takes about
+// sqrt(time * number of nodes) iterations, each linear.
 //
-// Sums are added in blocks, so that they are rounded alike with any number of threads.
+// The three systems are solved side by side, since an iteration waits for memory more than it computes. Sums are added
+// in blocks, so that they are rounded alike with any number of threads.
 class Diffusion
 {
 public:
   using Index = Dual_graph::Index;
-  using Values = Average_vectors;
+  using Values = Padded_vectors;
 
   // `scale`: of the conductances
   Diffusion(const Dual_graph& graph, double time, double scale = 1, bool is_parallel = false)
@@ -73,76 +106,86 @@ public:
   void operator()(Values& x, double tolerance, Execution& execution)
   {
     constexpr int maximum_number_of_iterations = 200; // some ten to thirty are usual
-    const double right_hand_side = start(x);
-    double rho = advance(0, x);
-    for (int i = 0; i < maximum_number_of_iterations && rho > tolerance * tolerance * right_hand_side; ++i)
+    const Sums right_hand_side = start(x);
+    Sums rho = advance(Padded_vector(), x);
+    const auto is_solved = [&](std::size_t i) { return !(rho[i] > tolerance * tolerance * right_hand_side[i]); };
+    for (int iteration = 0; iteration < maximum_number_of_iterations; ++iteration)
     {
       execution.check();
-      const double before = rho, curvature = multiply(m_direction, m_product);
-      rho = advance(static_cast<float>(rho / curvature), x);
-      const float share = static_cast<float>(rho / before);
+      if (is_solved(0) && is_solved(1) && is_solved(2))
+        return;
+      const Sums curvature = multiply(m_direction, m_product);
+      Padded_vector step, share;
+      for (std::size_t i = 0; i < 3; ++i)
+        step[i] = is_solved(i) ? 0 : static_cast<float>(rho[i] / curvature[i]);
+      const Sums before = rho;
+      rho = advance(step, x);
+      for (std::size_t i = 0; i < 3; ++i)
+        share[i] = before[i] > 0 ? static_cast<float>(rho[i] / before[i]) : 0;
       for_each_node([&](Index k) { m_direction[k] = m_residual[k] / m_diagonal[k] + share * m_direction[k]; });
     }
     // Faces differ more in size than single precision can resolve: the values are averaged well enough all the same.
   }
 
 private:
+  using Sums = Four_numbers<double>;
+
   template <typename Visit>
   void for_each_node(Visit visit) const
   {
     for_each_number(m_graph.number_of_nodes(), m_is_parallel, visit);
   }
 
-  // The sum over the nodes.
-  template <typename Term>
-  double add_nodes(Term term) const
+  // `add(sums, node)` adds the terms of a node.
+  template <typename Add>
+  Sums add_nodes(Add add) const
   {
-    return add_numbers(m_graph.number_of_nodes(), m_is_parallel, 0., [&](double& sum, Index i) { sum += term(i); });
+    return add_numbers(m_graph.number_of_nodes(), m_is_parallel, Sums(), add);
   }
 
   // a face without area still must not make the matrix singular
   double mass(Index i) const { return m_graph.area[i] + 1e-9 / m_graph.number_of_nodes(); }
 
-  // Residuals and first directions; returns the squared norm of the right hand side.
-  double start(const Values& x)
+  // Residuals and first directions; returns the norms of the right hand sides.
+  Sums start(const Values& x)
   {
     m_residual.resize(x.size());
     m_direction.resize(x.size());
     m_product.resize(x.size());
     multiply(x, m_product);
     return add_nodes(
-      [&](Index k)
+      [&](Sums& norms, Index k)
       {
-        const Average_vector b = static_cast<float>(mass(k)) * x[k];
-        m_residual[k] = b - m_product[k];
+        const Sums b = mass(k) * x[k].as<double>();
+        m_residual[k] = (b - m_product[k].as<double>()).as<float>();
         m_direction[k] = m_residual[k] / m_diagonal[k];
-        return double_precision(b).squared_length() / m_diagonal[k];
+        norms += b * b / m_diagonal[k];
       });
   }
 
-  // Goes `step` along the direction; returns the squared norm of the new residual.
-  double advance(float step, Values& x)
+  // Goes `step` along the direction; returns the norms of the new residuals.
+  Sums advance(const Padded_vector& step, Values& x)
   {
     return add_nodes(
-      [&](Index k)
+      [&](Sums& sums, Index k)
       {
         x[k] += step * m_direction[k];
         m_residual[k] -= step * m_product[k];
-        return double_precision(m_residual[k]).squared_length() / m_diagonal[k];
+        sums += m_residual[k].as<double>() * (m_residual[k] / m_diagonal[k]).as<double>();
       });
   }
 
-  // Returns the scalar product of the values with the result.
-  double multiply(const Values& x, Values& result) const
+  // Returns the scalar products of the values with the result.
+  Sums multiply(const Values& x, Values& result) const
   {
     return add_nodes(
-      [&](Index k)
+      [&](Sums& sums, Index k)
       {
-        Average_vector row = m_diagonal[k] * x[k];
+        Padded_vector row = m_diagonal[k] * x[k];
         for (Index arc : m_graph.arcs(k))
           row -= m_weights[arc] * x[m_graph.target[arc]];
         result[k] = row;
-        return double_precision(x[k]) * double_precision(row);
+        sums += x[k].as<double>() * row.as<double>();
       });
   }
 

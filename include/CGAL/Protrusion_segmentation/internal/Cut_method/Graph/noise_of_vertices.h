@@ -18,7 +18,7 @@
 namespace CGAL::Protrusion_segmentation::internal {
 
 // How far each vertex lies below the centroid of its neighbours, along the normal; 0 on the border. `normals`: of the faces
-inline std::vector<double> heights_below_neighbors(const Indexed_surface& surface, const Average_vectors& normals)
+inline std::vector<double> heights_below_neighbors(const Indexed_surface& surface, const Padded_vectors& normals)
 {
   using Index = Indexed_surface::Index;
   using Vector_3 = Indexed_surface::Vector_3;
@@ -30,7 +30,7 @@ inline std::vector<double> heights_below_neighbors(const Indexed_surface& surfac
     {
       const Index v = surface.vertex(c), next = surface.vertex(surface.next_corner(f, c));
       to_neighbors[v] += surface.point(next) - surface.point(v);
-      normal[v] += double_precision(normals[f]);
+      normal[v] += unpadded(normals[f]);
       ++neighbors[v];
       if (surface.neighbor(c) == Indexed_surface::no_face())
         is_on_border[v] = is_on_border[next] = true;
@@ -57,7 +57,7 @@ inline void limit_to_median(std::vector<double>& numbers, double times)
 // How far each vertex was moved by itself, as in a scan: the standard deviation, in units of the square root of the area. Heights of
 // neighbours then have opposite signs. Where a surface is curved or folded they agree, and more than those of the two vertices
 // opposite to an edge. `normals`: of the faces, averaged
-inline double noise_of_vertices(const Indexed_surface& surface, const Average_vectors& normals)
+inline double noise_of_vertices(const Indexed_surface& surface, const Padded_vectors& normals)
 {
   using Index = Indexed_surface::Index;
   constexpr double largest_height = 3; // medians; folds are higher
