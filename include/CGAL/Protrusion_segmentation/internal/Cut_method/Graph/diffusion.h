@@ -22,7 +22,7 @@ namespace CGAL::Protrusion_segmentation::internal {
 template <typename Number>
 struct Four_numbers
 {
-  alignas(4 * sizeof(Number)) std::array<Number, 4> of = {0, 0, 0, 0};
+  alignas(16) std::array<Number, 4> of = {0, 0, 0, 0};
 
   Number& operator[](std::size_t i) { return of[i]; }
   Number operator[](std::size_t i) const { return of[i]; }
