@@ -18,7 +18,8 @@
 
 namespace CGAL::Protrusion_segmentation::internal {
 
-// A vector and a zero: four numbers, which a processor adds at once. Operators act on each number.
+// A vector and a zero: four numbers, which a processor adds at once. Operators act on each number. Eigen has such arrays, but the
+// default method needs no Eigen.
 template <typename Number>
 struct Four_numbers
 {
