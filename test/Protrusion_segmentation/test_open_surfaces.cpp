@@ -16,7 +16,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
+#include <optional>
 #include <random>
+#include <utility>
+#include <vector>
 
 using namespace test_meshes;
 using Mesh = CGAL::Surface_mesh<CGAL::Simple_cartesian<double>::Point_3>;
@@ -135,6 +139,60 @@ void open_pipes_are_parts()
     }
 }
 
+// A flat hand: a palm, part 0, with four fingers and a thumb. Its triangles are those of a regular grid in it, turned by an angle, so
+// that its outline is a zigzag.
+Test_mesh sheet_of_hand(double angle, double edge)
+{
+  constexpr double height = 2.7, width = 1.7; // of the grid around the middle
+  constexpr double radius = 0.14;
+  const std::vector<Stick> fingers = {{{-0.55, 0, 0}, {-0.8, 1.3, 0}, radius, radius, 1},
+                                      {{-0.18, 0, 0}, {-0.27, 1.4, 0}, radius, radius, 2},
+                                      {{0.18, 0, 0}, {0.27, 1.4, 0}, radius, radius, 3},
+                                      {{0.55, 0, 0}, {0.8, 1.3, 0}, radius, radius, 4},
+                                      {{0.5, -0.6, 0}, {1.5, -0.1, 0}, radius, radius, 5}};
+  const auto part_at = [&](const Point& p) -> std::optional<std::size_t>
+  {
+    if ((std::max)(std::abs(p[0]) / 0.7, std::abs(p[1] + 0.4) / 0.6) < 1)
+      return 0;
+    for (const Stick& finger : fingers)
+      if (finger.distance(p) < 0)
+        return finger.part;
+    return std::nullopt;
+  };
+  const Point along = {edge * std::cos(angle), edge * std::sin(angle), 0};
+  const Point across = {edge * std::cos(angle + pi / 3), edge * std::sin(angle + pi / 3), 0};
+  Test_mesh mesh;
+  std::map<std::pair<int, int>, std::size_t> points;
+  const auto point = [&](int i, int j)
+  {
+    const auto [found, is_new] = points.try_emplace({i, j}, points.size());
+    if (is_new)
+      mesh.add_point(i * along + j * across);
+    return found->second;
+  };
+  const int n = static_cast<int>(2 * (height + width) / edge);
+  for (int i = -n; i <= n; ++i)
+    for (int j = -n; j <= n; ++j)
+      for (const int turn : {0, 1}) // the two triangles of a cell
+        if (const auto part = part_at((i + (1 + turn) / 3.) * along + (j + (1 + turn) / 3.) * across))
+        {
+          const std::size_t p = point(i + 1, j), q = point(i, j + 1);
+          mesh.add_face(turn ? Face{p, point(i + 1, j + 1), q} : Face{point(i, j), p, q}, *part);
+        }
+  return mesh;
+}
+
+// A zigzag as wide as a third of a finger is no reason to cut it in two.
+void sheets_have_zigzag_outlines()
+{
+  int right = 0;
+  for (const double edge : {0.06, 0.07, 0.08})
+    for (int degrees = 0; degrees < 60; degrees += 5)
+      right += automatic_segmentation(sheet_of_hand(degrees * pi / 180, edge)).number == 6;
+  std::cout << right << " of 36 hands have five fingers\n";
+  CGAL_CHECK(right >= 30);
+}
+
 // Waves of any length in both directions, with slopes of up to 45 degrees.
 Test_mesh terrain(std::uint_fast32_t seed)
 {
@@ -164,6 +222,7 @@ int main()
 {
   open_pipes_are_parts();
   hills_are_no_parts();
+  sheets_have_zigzag_outlines();
   small_holes_change_no_number();
   for (const double height : {1., 1.5, 3., 5.})
     for (const Test_mesh& mesh : {plate_with_peg(height), turned(plate_with_peg(height))})
