@@ -4,7 +4,7 @@
 //
 // What sticks out of a surface without an underside, as of a scan from one side, is found whatever its height and the
 // orientation of the faces. Small holes, as scanners leave them, change no number. Pipes with open ends have the segments of
-// closed ones, and the hills of terrain are none.
+// closed ones, and the hills of terrain are none. Coarse triangles at the outline of a sheet cut no part of it in two.
 
 #include "implicit_mesh.h"
 #include "segmentations.h"
@@ -139,8 +139,8 @@ void open_pipes_are_parts()
     }
 }
 
-// A flat hand: a palm, part 0, with four fingers and a thumb. Its triangles are those of a regular grid in it, turned by an angle, so
-// that its outline is a zigzag.
+// A flat hand: a palm, part 0, with four fingers and a thumb. Its triangles are those of a regular grid in it, turned by an
+// angle, so that its outline is a zigzag.
 Test_mesh sheet_of_hand(double angle, double edge)
 {
   constexpr double height = 2.7, width = 1.7; // of the grid around the middle
